@@ -1,0 +1,43 @@
+// Files that are replaced whole or not at all: the bytes go to a temporary file beside the target, which is
+// flushed to the disk and then renamed over it. Whatever fails or is cut off before that leaves the old file.
+#pragma once
+
+#include "engine/base/result.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace driftbench {
+
+class AtomicFile
+{
+public:
+    static Result<AtomicFile> create(const std::filesystem::path &target);
+
+    AtomicFile(AtomicFile &&other) noexcept;
+    AtomicFile &operator=(AtomicFile &&other) = delete;
+    AtomicFile(const AtomicFile &) = delete;
+    AtomicFile &operator=(const AtomicFile &) = delete;
+    ~AtomicFile(); // without commit: the temporary file goes, the target stays as it was
+
+    Status write(std::string_view bytes);
+    Status commit();
+
+private:
+    AtomicFile(std::filesystem::path target, std::filesystem::path temporary, int descriptor);
+    Status flushBuffer();
+    Error failure(int errorNumber) const;
+
+    std::filesystem::path m_target;
+    std::filesystem::path m_temporary;
+    int m_descriptor = -1;
+    std::string m_buffer;
+};
+
+Status writeFileAtomically(const std::filesystem::path &target, std::string_view bytes);
+
+// Makes folder (and those above it) unless it is there; an error says why it can't be written to.
+Status ensureWritableFolder(const std::filesystem::path &folder);
+
+} // namespace driftbench

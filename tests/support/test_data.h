@@ -1,0 +1,23 @@
+// Where tests find recorded data of others, and how they skip, by name and aloud, where it is missing.
+#pragma once
+
+#include <QString>
+#include <QTest>
+
+#include <filesystem>
+
+namespace driftbench::test {
+
+// The shared data folder beside the checkout (or DRIFTBENCH_SHARED_DATA); empty if it is not there.
+std::filesystem::path sharedData();
+
+// Folder for what a test writes; goes with the test program.
+std::filesystem::path scratchFolder();
+
+} // namespace driftbench::test
+
+// Leaves the test function with a skip that names the missing file; else `path` names it.
+#define REQUIRE_SHARED_DATA(path, relative)                                                                  \
+    const std::filesystem::path path = driftbench::test::sharedData() / (relative);                          \
+    if (driftbench::test::sharedData().empty() || !std::filesystem::exists(path))                            \
+    QSKIP(qPrintable(QStringLiteral("the shared data folder has no ") + QString::fromUtf8(relative)))
