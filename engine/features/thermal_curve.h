@@ -39,6 +39,8 @@ public:
     void add(double deltaT, const Eigen::Vector3d &tdeDps);
     // N samples; the same as N times the above.
     void add(const Eigen::VectorXd &deltaT, const Eigen::MatrixX3d &tdeDps);
+    // Many samples of one cell at once, as another curve of the same width and reference has them.
+    void addCell(std::int64_t key, const ThermalCell &cell) { cellAt(key).merge(cell); }
     // The other curve must have the same cell width and the same reference temperature.
     void merge(const ThermalCurve &other);
 

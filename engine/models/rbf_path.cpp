@@ -1,0 +1,306 @@
+#include "engine/models/rbf_path.h"
+
+#include "engine/models/rbf_candidates.h"
+#include "engine/models/run_alignment.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace driftbench {
+
+namespace {
+
+constexpr double kGridRows = 512.0;
+// A candidate that is left with less than this part of its squared length adds nothing but rounding errors.
+constexpr double kSmallestNewPart = 1e-6;
+
+// 1, the first standardised TCQs, and after them the Gaussians of the path, at standardised rows.
+Eigen::MatrixXd basisAt(const Eigen::MatrixXd &z, int forcedColumns, const Eigen::MatrixX3d &centres,
+                        const Eigen::VectorXd &widths)
+{
+    Eigen::MatrixXd basis(z.rows(), forcedColumns + widths.size());
+    basis.col(0).setOnes();
+    basis.middleCols(1, forcedColumns - 1) = z.leftCols(forcedColumns - 1);
+    for (Eigen::Index j = 0; j < widths.size(); ++j) {
+        const double precision = -0.5 / (widths[j] * widths[j]);
+        basis.col(forcedColumns + j) =
+            ((z.rowwise() - centres.row(j)).rowwise().squaredNorm().array() * precision).exp();
+    }
+    return basis;
+}
+
+// Orthogonal least squares, column by column. Rows are scaled by sqrt(n), targets by 1 / sigma of their axis.
+class OrthogonalSelection
+{
+public:
+    OrthogonalSelection(Eigen::MatrixXd candidates, Eigen::MatrixX3d targets, int mostColumns, double ridge)
+        : m_candidates(std::move(candidates))
+        , m_targets(std::move(targets))
+        , m_ridge(ridge)
+        , m_orthonormal(m_targets.rows(), mostColumns)
+        , m_triangle(Eigen::MatrixXd::Zero(mostColumns, mostColumns))
+        , m_coefficients(mostColumns, 3)
+        , m_length(m_candidates.colwise().squaredNorm().transpose())
+        , m_rest(m_length)
+        , m_product(m_candidates.transpose() * m_targets)
+    {
+    }
+
+    // Takes the column in unless it depends on those that are; forced columns are not shrunk.
+    bool take(const Eigen::VectorXd &column, bool forced)
+    {
+        Eigen::VectorXd rest = column;
+        const auto basis = m_orthonormal.leftCols(m_columns);
+        Eigen::VectorXd along = basis.transpose() * rest;
+        rest -= basis * along;
+        const Eigen::VectorXd again = basis.transpose() * rest; // the second pass removes what rounding left
+        rest -= basis * again;
+        along += again;
+        const double square = rest.squaredNorm();
+        if (!(square > kSmallestNewPart * column.squaredNorm()) &&
+            !(forced && square > 1e-20 * column.squaredNorm()))
+            return false;
+        const double length = std::sqrt(square);
+        m_triangle.col(m_columns).head(m_columns) = along;
+        m_triangle(m_columns, m_columns) = length;
+        m_orthonormal.col(m_columns) = rest / length;
+        const Eigen::RowVector3d projection = m_orthonormal.col(m_columns).transpose() * m_targets;
+        m_coefficients.row(m_columns) = projection * (forced ? 1.0 : square / (square + m_ridge));
+        removeFromCandidates(m_orthonormal.col(m_columns), projection);
+        ++m_columns;
+        return true;
+    }
+
+    // The candidate that explains most, summed over the axes; -1 if none has anything new.
+    Eigen::Index best() const
+    {
+        Eigen::Index winner = -1;
+        double most = 0.0;
+        for (Eigen::Index j = 0; j < m_rest.size(); ++j) {
+            if (m_rest[j] <= kSmallestNewPart * m_length[j])
+                continue;
+            const double explained = m_product.row(j).squaredNorm() / (m_rest[j] + m_ridge);
+            if (explained > most) {
+                most = explained;
+                winner = j;
+            }
+        }
+        return winner;
+    }
+
+    const Eigen::MatrixXd &candidates() const { return m_candidates; }
+    void strike(Eigen::Index candidate) { m_rest[candidate] = 0.0; }
+    Eigen::Index columns() const { return m_columns; }
+    Eigen::MatrixXd triangle() const { return m_triangle.topLeftCorner(m_columns, m_columns); }
+    Eigen::MatrixX3d coefficients() const { return m_coefficients.topRows(m_columns); }
+
+private:
+    void removeFromCandidates(const Eigen::VectorXd &direction, const Eigen::RowVector3d &projection)
+    {
+        if (m_candidates.cols() == 0)
+            return;
+        const Eigen::VectorXd along = m_candidates.transpose() * direction;
+        m_rest -= along.cwiseAbs2();
+        m_product -= along * projection;
+    }
+
+    Eigen::MatrixXd m_candidates; // N x M
+    Eigen::MatrixX3d m_targets;   // N x 3
+    double m_ridge;
+    Eigen::MatrixXd m_orthonormal;
+    Eigen::MatrixXd m_triangle;
+    Eigen::MatrixX3d m_coefficients;
+    Eigen::VectorXd m_length; // squared, of the candidates as they are
+    Eigen::VectorXd m_rest;   // squared, of their orthogonal parts
+    Eigen::MatrixX3d m_product;
+    Eigen::Index m_columns = 0;
+};
+
+void keepPick(RbfPath &path, const RbfCandidates &candidates, Eigen::Index pick)
+{
+    const Eigen::Index k = path.size();
+    path.centres.conservativeResize(k + 1, 3);
+    path.widths.conservativeResize(k + 1);
+    path.centres.row(k) = candidates.centres.row(pick);
+    path.widths[k] = candidates.widths[pick];
+    path.centreDeltaT.push_back(candidates.centreDeltaT[static_cast<std::size_t>(pick)]);
+    path.widthDeltaT.push_back(candidates.widthDeltaT[static_cast<std::size_t>(pick)]);
+}
+
+} // namespace
+
+ThermalRows thermalRows(const ThermalCurve &curve, int factor)
+{
+    const ThermalCurve grid = curve.coarsened(factor);
+    const auto occupied = std::count_if(grid.cells().begin(), grid.cells().end(),
+                                        [](const auto &cell) { return cell.count > 0.0; });
+    ThermalRows rows;
+    rows.quantities.resize(occupied, 3);
+    rows.tdeDps.resize(occupied, 3);
+    rows.count.resize(occupied);
+    Eigen::Index row = 0;
+    for (const ThermalCell &cell : grid.cells()) {
+        if (cell.count == 0.0)
+            continue;
+        rows.quantities.row(row) = (cell.sumQuantities / cell.count).transpose();
+        rows.tdeDps.row(row) = cell.meanTdeDps().transpose();
+        rows.count[row++] = cell.count;
+    }
+    return rows;
+}
+
+int trainingGridFactor(const ThermalCurve &curve)
+{
+    const double span = curve.highestDeltaT() - curve.lowestDeltaT();
+    return std::max(1, static_cast<int>(std::ceil(span / kGridRows / curve.cellWidthC())));
+}
+
+Eigen::Vector3d pooledNoiseVariance(const TrainingSet &set)
+{
+    // A slow log has hardly two samples in a narrow cell; then wider cells tell, at the price of some slope.
+    for (const int factor : {1, 5, 25, 50}) {
+        Eigen::Vector3d squares = Eigen::Vector3d::Zero();
+        double degreesOfFreedom = 0.0;
+        for (const auto &run : set.runs) {
+            const ThermalCurve curve = factor == 1 ? run->curve : run->curve.coarsened(factor);
+            for (const ThermalCell &cell : curve.cells()) {
+                if (cell.count < 2.0)
+                    continue;
+                squares += (cell.sumTdeSquared - cell.sumTdeDps.cwiseAbs2() / cell.count).cwiseMax(0.0);
+                degreesOfFreedom += cell.count - 1.0;
+            }
+        }
+        if (degreesOfFreedom < 100.0 && factor < 50)
+            continue;
+        // Noiseless data still need a scale: a millionth of what the axis swings.
+        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+        Eigen::Vector3d sumSquares = Eigen::Vector3d::Zero();
+        double count = 0.0;
+        for (const auto &run : set.runs) {
+            for (const ThermalCell &cell : run->curve.cells()) {
+                sum += cell.sumTdeDps;
+                sumSquares += cell.sumTdeSquared;
+                count += cell.count;
+            }
+        }
+        const Eigen::Vector3d swing = (sumSquares / count - (sum / count).cwiseAbs2()).cwiseMax(0.0);
+        const Eigen::Vector3d variance = squares / std::max(degreesOfFreedom, 1.0);
+        return variance.cwiseMax(1e-12 * swing).cwiseMax(1e-24);
+    }
+    return Eigen::Vector3d::Ones();
+}
+
+RbfPath makeRbfPath(const TrainingSet &set, const RbfPathOptions &options)
+{
+    const RunAlignment alignment = alignRuns(set);
+    ThermalCurve merged(set.runs.front()->curve.cellWidthC());
+    for (std::size_t run = 0; run < set.runs.size(); ++run) {
+        ThermalCurve aligned = set.runs[run]->curve;
+        aligned.shift(alignment.offsetDps.row(static_cast<Eigen::Index>(run)).transpose());
+        merged.merge(aligned);
+    }
+    RbfPath path = makeRbfPath(merged, pooledNoiseVariance(set), options);
+    path.runOffsetDps = alignment.offsetDps;
+    path.groups = alignment.groups;
+    return path;
+}
+
+RbfPath makeRbfPath(const ThermalCurve &merged, const Eigen::Vector3d &noiseVariance,
+                    const RbfPathOptions &options)
+{
+    RbfPath path;
+    path.noiseVariance = noiseVariance;
+    path.rows = thermalRows(merged, trainingGridFactor(merged));
+    path.inputs = Standardiser::fit(path.rows.quantities, path.rows.count);
+    const Eigen::MatrixXd z = path.inputs.transform(path.rows.quantities);
+    const RbfCandidates candidates = rbfCandidates(path.rows, path.inputs, options);
+
+    const Eigen::VectorXd weight = path.rows.count.cwiseSqrt();
+    const Eigen::RowVector3d sigma = noiseVariance.cwiseSqrt().transpose();
+    const Eigen::MatrixXd gaussians = basisAt(z, 1, candidates.centres, candidates.widths);
+    const int most = 1 + (options.linearTerms ? 3 : 0) + options.largestNumberOfCentres;
+    OrthogonalSelection selection(weight.asDiagonal() * gaussians.rightCols(candidates.widths.size()),
+                                  weight.asDiagonal() *
+                                      (path.rows.tdeDps.array().rowwise() / sigma.array()).matrix(),
+                                  most, options.ridge);
+
+    selection.take(weight, true);
+    path.forcedColumns = 1;
+    if (options.linearTerms) {
+        // With hardly any rows the later TCQs depend on the earlier ones.
+        for (int column = 0; column < 3 && selection.columns() < path.rows.size(); ++column) {
+            if (!selection.take(weight.cwiseProduct(z.col(column)), true))
+                break;
+            ++path.forcedColumns;
+        }
+    }
+    while (path.size() < options.largestNumberOfCentres && selection.columns() < path.rows.size()) {
+        const Eigen::Index pick = selection.best();
+        if (pick < 0)
+            break;
+        const Eigen::VectorXd column = selection.candidates().col(pick);
+        if (selection.take(column, false))
+            keepPick(path, candidates, pick);
+        else
+            selection.strike(pick);
+    }
+    path.triangle = selection.triangle();
+    path.coefficientsDps = selection.coefficients() * sigma.asDiagonal();
+    return path;
+}
+
+Eigen::MatrixX3d prefixLosses(const RbfPath &path, const ThermalRows &rows, bool removeOffset)
+{
+    const double low = path.rows.deltaT()[0];
+    const double high = path.rows.deltaT()[path.rows.size() - 1];
+    Eigen::MatrixXd quantities = rows.quantities;
+    for (Eigen::Index i = 0; i < rows.size(); ++i) {
+        if (rows.deltaT()[i] < low || rows.deltaT()[i] > high)
+            quantities.row(i) = temperatureQuantities(std::clamp(rows.deltaT()[i], low, high)).transpose();
+    }
+    const Eigen::MatrixXd basis =
+        basisAt(path.inputs.transform(quantities), path.forcedColumns, path.centres, path.widths);
+    // Columns as orthonormal combinations: then each further centre only adds its own term to the prediction.
+    const Eigen::MatrixXd orthonormal =
+        path.triangle.triangularView<Eigen::Upper>().solve<Eigen::OnTheRight>(basis);
+
+    const Eigen::VectorXd weight = rows.count / rows.count.sum();
+    Eigen::MatrixX3d residual = rows.tdeDps - orthonormal.leftCols(path.forcedColumns) *
+                                                  path.coefficientsDps.topRows(path.forcedColumns);
+    Eigen::MatrixX3d losses(path.size() + 1, 3);
+    for (int k = 0; k <= path.size(); ++k) {
+        if (k > 0) {
+            const Eigen::Index column = path.forcedColumns + k - 1;
+            residual.noalias() -= orthonormal.col(column) * path.coefficientsDps.row(column);
+        }
+        const Eigen::RowVector3d offset = weight.transpose() * residual;
+        const Eigen::RowVector3d square = weight.transpose() * residual.cwiseAbs2();
+        losses.row(k) = (removeOffset ? Eigen::RowVector3d(square - offset.cwiseAbs2()) : square).array() /
+                        path.noiseVariance.transpose().array();
+    }
+    return losses;
+}
+
+RbfNetwork networkOf(const RbfPath &path, const std::array<int, 3> &centres)
+{
+    const int most = std::min(path.size(), *std::max_element(centres.begin(), centres.end()));
+    RbfNetwork network;
+    network.inputs = path.inputs;
+    network.centres = path.centres.topRows(most);
+    network.widths = path.widths.head(most);
+    network.weightsDps = Eigen::MatrixX3d::Zero(most, 3);
+    for (int axis = 0; axis < 3; ++axis) {
+        const int used = std::min(centres[static_cast<std::size_t>(axis)], most);
+        const Eigen::Index columns = path.forcedColumns + used;
+        const Eigen::VectorXd weights = path.triangle.topLeftCorner(columns, columns)
+                                            .triangularView<Eigen::Upper>()
+                                            .solve(path.coefficientsDps.col(axis).head(columns));
+        network.biasDps[axis] = weights[0];
+        network.linearDps.col(axis).head(path.forcedColumns - 1) = weights.segment(1, path.forcedColumns - 1);
+        network.weightsDps.col(axis).head(used) = weights.tail(used);
+        network.centreCount[static_cast<std::size_t>(axis)] = used;
+    }
+    return network;
+}
+
+} // namespace driftbench
