@@ -181,7 +181,7 @@ static bool derivativesAgree(const ReferenceSet &set)
     for (const double x : set.x) {
         const double y = set.model(x, b, gradient);
         for (Eigen::Index j = 0; j < b.size(); ++j) {
-            const double h = 1e-5 * std::abs(b[j]);
+            const double h = 1e-6 * std::abs(b[j]);
             Eigen::VectorXd up = b;
             Eigen::VectorXd down = b;
             up[j] += h;
