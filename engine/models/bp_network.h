@@ -69,6 +69,9 @@ struct BpFit
     BpSummary summary;
 };
 
+// Starts run side by side (options.threads); the result does not depend on how many. The hook is called from
+// their threads, one call at a time. Errors: Errc::NothingUsable without samples, Errc::Cancelled by the
+// hook, Errc::InvalidOption.
 Result<BpFit> fitBpNetwork(const TrainingSet &set, const BpOptions &options = {},
                            const ProgressHook &hook = {});
 
