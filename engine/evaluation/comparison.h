@@ -5,6 +5,8 @@
 #include "engine/base/result.h"
 #include "engine/evaluation/allan.h"
 #include "engine/evaluation/hysteresis.h"
+#include "engine/evaluation/repeatability.h"
+#include "engine/evaluation/scoring.h"
 #include "engine/features/run_features.h"
 #include "engine/models/model_recipe.h"
 #include "engine/models/trained_model.h"
@@ -16,15 +18,6 @@
 
 namespace driftbench {
 
-// Absolute: the turn-on bias counts, as in PX4. Anchored: each run's bias at its start is removed, as
-// ArduPilot does with the calibration temperature.
-enum class Judging
-{
-    Absolute,
-    Anchored
-};
-std::string_view judgingName(Judging judging);
-
 struct ComparisonOptions
 {
     std::vector<std::string> models = defaultModelNames();
@@ -32,24 +25,6 @@ struct ComparisonOptions
     Judging judging = Judging::Absolute;
     std::uint64_t seed = 1;
     int threads = 0;
-};
-
-// One model on one axis of one held-out run.
-struct ComparisonRow
-{
-    std::string run;
-    int axis = 0;
-    std::string model;
-    double msdBefore = 0.0; // dps^2, mean square of rate - reference (paper Eq. 31)
-    double msdAfter = 0.0;
-    double q = 0.0;                  // msdAfter / msdBefore (Eqs. 32, 34)
-    double noiseFloor = 0.0;         // dps^2
-    double excessOverFloor = 0.0;    // (msdAfter - noiseFloor) / noiseFloor
-    double rms10sDps = 0.0;          // of what is left, after averaging over 10 s
-    double rmsDps = 0.0;             // sqrt(msdAfter)
-    double biasInstabilityDps = 0.0; // lowest point of the Allan deviation of what is left, scaled
-    Eigen::Index samples = 0;
-    std::vector<std::string> trainedOn;
 };
 
 // What was trained without certain samples, and on what it is judged.
@@ -65,9 +40,11 @@ struct Fold
 struct AxisVerdict
 {
     Verdict verdict = Verdict::NotRepeatable;
-    std::string model; // recommended: which wins on held-out runs, the simpler within a standard error
-    double gain = 0.0; // G of the recommended or, where the constant wins, of the best other model
-    double gainModelFree = 0.0; // G*
+    // Recommended: which wins on held-out runs, the simpler within a standard error; "constant" where the
+    // verdict is neither yes nor with care.
+    std::string model;
+    double gain = 0.0; // G of the recommended or, where that is the constant, of the best other model
+    double gainModelFree = 0.0; // G*; NaN where no two runs (or sweeps of a single run) share a temperature
     std::string reason;         // in words, with the figures
 };
 
@@ -80,6 +57,8 @@ struct Comparison
     std::optional<RbfSelection> rbfSelection; // of "rbf" on all of them
     std::array<AxisVerdict, 3> verdicts;
     Hysteresis hysteresis;
+    Repeatability repeatability;
+    bool simulated = false;
     std::vector<std::string> warnings;
 };
 
@@ -92,5 +71,11 @@ struct CampaignFacts
 
 Result<Comparison> compareModels(const TrainingSet &set, const CampaignFacts &facts,
                                  const ComparisonOptions &options = {}, const ProgressHook &hook = {});
+
+// The same with given recipes, whose names take the place of options.models. The hook is called from the
+// calling thread only. Errc: NothingUsable, InvalidOption, Cancelled and what the recipes' training reports.
+Result<Comparison> compareRecipes(const std::vector<ModelRecipe> &recipes, const TrainingSet &set,
+                                  const CampaignFacts &facts, const ComparisonOptions &options = {},
+                                  const ProgressHook &hook = {});
 
 } // namespace driftbench
