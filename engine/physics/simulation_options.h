@@ -51,9 +51,9 @@ struct SimulationOptions
 {
     TemperatureProfile profile;
     DriftCurves truth;
-    ChamberOptions chamber;
-    GyroOptions gyro;
-    FaultOptions faults;
+    ChamberOptions chamber{};
+    GyroOptions gyro{};
+    FaultOptions faults{};
     SensorIdentity sensor{"I3G4250D", "SIM-0001"};
     std::uint64_t seed = 1;
 };
