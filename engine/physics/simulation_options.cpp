@@ -1,0 +1,112 @@
+#include "engine/physics/simulation_options.h"
+
+#include "engine/base/text.h"
+
+#include <cmath>
+#include <string_view>
+
+namespace driftbench {
+
+namespace {
+
+constexpr double kHighestSampleRateHz = 100000.0;
+constexpr double kMostSamples = 1e12;
+constexpr int kMostEvents = 10000;
+
+// A quantity with the bounds that it must keep, both included.
+struct Bound
+{
+    std::string_view what;
+    double value;
+    std::string_view unit;
+    double lowest;
+    double highest;
+};
+
+constexpr double kLarge = 1e6;
+
+Status check(const Bound &bound)
+{
+    if (bound.value >= bound.lowest && bound.value <= bound.highest)
+        return {};
+    const std::string unit(bound.unit);
+    return Error{Errc::InvalidOption, "The " + std::string(bound.what) + " is " + shortest(bound.value) +
+                                          unit + "; give " + shortest(bound.lowest) + " to " +
+                                          shortest(bound.highest) + unit + "."};
+}
+
+Status checkPositive(std::string_view what, double value, std::string_view unit, double highest)
+{
+    if (value > 0.0 && value <= highest)
+        return {};
+    return Error{Errc::InvalidOption, "The " + std::string(what) + " is " + shortest(value) +
+                                          std::string(unit) + "; give more than 0 and at most " +
+                                          shortest(highest) + std::string(unit) + "."};
+}
+
+Status checkSampleCount(const SimulationOptions &options)
+{
+    const double samples = options.profile.durationS() * options.gyro.sampleRateHz;
+    if (samples >= 1.0 && samples <= kMostSamples)
+        return {};
+    return Error{Errc::InvalidOption, "The profile of " + shortest(options.profile.durationS()) + " s has " +
+                                          shortest(samples) + " samples at " +
+                                          shortest(options.gyro.sampleRateHz) +
+                                          " Hz; choose a sampling rate that gives 1 to a million million."};
+}
+
+Status checkReferenceRate(const GyroOptions &gyro)
+{
+    for (int axis = 0; axis < kAxisCount; ++axis) {
+        const std::string what = "reference rate on " + std::string(kAxisNames[axis]);
+        if (const Status ok =
+                check({what, gyro.referenceRateDps[axis], " dps", -gyro.rangeDps, gyro.rangeDps});
+            !ok)
+            return ok;
+    }
+    return {};
+}
+
+} // namespace
+
+Status checkOptions(const SimulationOptions &options)
+{
+    const auto &[lagS, thermometerNoiseC, thermometerCountsPerC] = options.chamber;
+    const GyroOptions &gyro = options.gyro;
+    const FaultOptions &faults = options.faults;
+    if (const Status ok = checkPositive("sampling rate", gyro.sampleRateHz, " Hz", kHighestSampleRateHz); !ok)
+        return ok;
+    if (const Status ok = checkPositive("range of the gyro", gyro.rangeDps, " dps", kLarge); !ok)
+        return ok;
+    if (const Status ok = checkPositive("play of the hysteresis", gyro.hysteresisPlayC, " °C", kLarge); !ok)
+        return ok;
+    for (const Bound &bound : {
+             Bound{"lag of the chamber", lagS, " s", 0.0, kLarge},
+             Bound{"noise of the thermometer", thermometerNoiseC, " °C", 0.0, 100.0},
+             Bound{"resolution of the thermometer", thermometerCountsPerC, " counts/°C", 0.0, kLarge},
+             Bound{"noise of the rate", gyro.noiseDps, " dps", 0.0, kLarge},
+             Bound{"spread between runs", gyro.spread, "", 0.0, 1.0},
+             Bound{"turn-on bias", gyro.turnOnBiasDps, " dps", 0.0, kLarge},
+             Bound{"lag of the package", gyro.packageLagS, " s", 0.0, kLarge},
+             Bound{"hysteresis", gyro.hysteresisDps, " dps", -kLarge, kLarge},
+             Bound{"sensitivity", gyro.sensitivityMdps, " mdps", 0.0, kLarge},
+             Bound{"number of bias steps", static_cast<double>(faults.biasSteps), "", 0.0, kMostEvents},
+             Bound{"size of a bias step", faults.biasStepDps, " dps", 0.0, kLarge},
+             Bound{"number of motion bursts", static_cast<double>(faults.motionBursts), "", 0.0, kMostEvents},
+             Bound{"peak of a motion", faults.motionDps, " dps", 0.0, kLarge},
+             Bound{"length of a motion", faults.motionS, " s", 0.0, kLarge},
+             Bound{"number of gaps", static_cast<double>(faults.gaps), "", 0.0, kMostEvents},
+             Bound{"length of a gap", faults.gapS, " s", 0.0, kLarge},
+             Bound{"fraction of outliers", faults.outlierFraction, "", 0.0, 1.0},
+             Bound{"size of an outlier", faults.outlierDps, " dps", 0.0, kLarge},
+             Bound{"fraction of non-finite samples", faults.nonFiniteFraction, "", 0.0, 1.0},
+         }) {
+        if (Status ok = check(bound); !ok)
+            return ok;
+    }
+    if (const Status ok = checkReferenceRate(gyro); !ok)
+        return ok;
+    return checkSampleCount(options);
+}
+
+} // namespace driftbench
