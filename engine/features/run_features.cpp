@@ -36,11 +36,12 @@ RunFeatures makeRunFeatures(const Run &run, double referenceTemperatureC)
             continue;
         features.timeS[row] = recording.timeS[i];
         features.deltaT[row] = recording.temperatureC[i] - referenceTemperatureC;
-        features.tdeDps.row(row) = recording.rateDps.row(i) - run.referenceRateDps.transpose();
+        const Eigen::Vector3d tdeDps = recording.rateDps.row(i).transpose() - run.referenceRateDps;
+        features.tdeDps.row(row) = tdeDps.transpose();
         const bool train = run.mask.usableForTraining(i);
         features.usableForTraining.push_back(train ? 1 : 0);
         if (train)
-            features.curve.add(features.deltaT[row], features.tdeDps.row(row).transpose());
+            features.curve.add(features.deltaT[row], tdeDps);
         ++row;
     }
     return features;

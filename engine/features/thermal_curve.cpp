@@ -43,7 +43,7 @@ void ThermalCurve::add(double deltaT, const Eigen::Vector3d &tdeDps)
 void ThermalCurve::add(const Eigen::VectorXd &deltaT, const Eigen::MatrixX3d &tdeDps)
 {
     for (Eigen::Index i = 0; i < deltaT.size(); ++i)
-        add(deltaT[i], tdeDps.row(i).transpose());
+        add(deltaT[i], Eigen::Vector3d(tdeDps(i, 0), tdeDps(i, 1), tdeDps(i, 2)));
 }
 
 void ThermalCurve::merge(const ThermalCurve &other)
