@@ -1,0 +1,136 @@
+#include "widgets/plot/panel_notes.h"
+
+#include "widgets/style/fonts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace driftbench {
+
+static constexpr int kLeadLength = 20;
+static constexpr int kLeadGap = 4;
+static constexpr int kNameHeight = 22;
+static constexpr int kPanelGap = 8;
+static constexpr double kLabelDistance = 14.0;
+
+PanelNotes::PanelNotes(QCPAxisRect *rect, const Palette &palette)
+    : QCPAbstractItem(rect->parentPlot())
+    , m_rect(rect)
+    , m_textColor(palette.text)
+    , m_mutedColor(palette.mutedText)
+{
+    setClipToAxisRect(false);
+}
+
+void PanelNotes::setName(const QString &name)
+{
+    m_name = name;
+    makeRoom();
+}
+
+void PanelNotes::setNote(const QString &note)
+{
+    m_note = note;
+    makeRoom();
+}
+
+void PanelNotes::setMarginLabels(std::vector<MarginLabel> labels)
+{
+    m_labels = std::move(labels);
+    makeRoom();
+}
+
+void PanelNotes::makeRoom()
+{
+    int right = kPanelGap;
+    for (const MarginLabel &label : m_labels) {
+        const QFontMetrics metrics(label.main ? strongNoteFont() : noteFont());
+        right = std::max(right, kLeadLength + kLeadGap + metrics.horizontalAdvance(label.text) + kPanelGap);
+    }
+    const int top = m_name.isEmpty() && m_note.isEmpty() ? kPanelGap : kNameHeight;
+    m_rect->setMinimumMargins(QMargins(0, top, right, 0));
+}
+
+std::vector<double> pushedApart(const std::vector<double> &wanted, double distance, double low, double high)
+{
+    std::vector<std::size_t> order(wanted.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return wanted[a] < wanted[b]; });
+    // Blocks of labels that touch; each stands where the mean of its members wants it.
+    struct Block
+    {
+        double sumOfFirst = 0.0; // of where each member would have the block's first label
+        std::size_t members = 0;
+        double first(double span, double lowest, double highest) const
+        {
+            return std::max(lowest, std::min(sumOfFirst / static_cast<double>(members), highest - span));
+        }
+    };
+    std::vector<Block> blocks;
+    const auto firstOf = [&](const Block &block) {
+        return block.first(distance * static_cast<double>(block.members - 1), low, high);
+    };
+    for (const std::size_t index : order) {
+        blocks.push_back({wanted[index], 1});
+        while (blocks.size() > 1) {
+            Block &upper = blocks[blocks.size() - 2];
+            const Block lower = blocks.back();
+            const double end = firstOf(upper) + distance * static_cast<double>(upper.members);
+            if (firstOf(lower) >= end)
+                break;
+            upper.sumOfFirst +=
+                lower.sumOfFirst - distance * static_cast<double>(upper.members * lower.members);
+            upper.members += lower.members;
+            blocks.pop_back();
+        }
+    }
+    std::vector<double> places(wanted.size());
+    auto next = order.begin();
+    for (const Block &block : blocks) {
+        for (std::size_t k = 0; k < block.members; ++k)
+            places[*next++] = firstOf(block) + distance * static_cast<double>(k);
+    }
+    return places;
+}
+
+void PanelNotes::drawMarginLabels(QCPPainter &painter) const
+{
+    const QCPAxis *axis = m_rect->axis(QCPAxis::atLeft);
+    const QRect panel = m_rect->rect();
+    std::vector<double> wanted;
+    for (const MarginLabel &label : m_labels)
+        wanted.push_back(
+            std::clamp(axis->coordToPixel(label.value), double(panel.top()), double(panel.bottom())));
+    const auto places = pushedApart(wanted, kLabelDistance, panel.top(), panel.bottom());
+    for (std::size_t i = 0; i < m_labels.size(); ++i) {
+        const MarginLabel &label = m_labels[i];
+        if (!std::isfinite(label.value))
+            continue;
+        const double left = panel.right() + 1.0;
+        const double half = kLeadLength / 2.0;
+        painter.setPen(label.pen);
+        painter.drawLine(QLineF(left, wanted[i], left + half, places[i]));
+        painter.drawLine(QLineF(left + half, places[i], left + kLeadLength, places[i]));
+        painter.setFont(label.main ? strongNoteFont() : noteFont());
+        painter.setPen(label.main ? label.pen.color() : m_mutedColor);
+        painter.drawText(QRectF(left + kLeadLength + kLeadGap, places[i] - 10.0, 10.0, 20.0),
+                         Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, label.text);
+    }
+}
+
+void PanelNotes::draw(QCPPainter *painter)
+{
+    const QRect panel = m_rect->rect();
+    const QRect above(panel.left(), panel.top() - kNameHeight, panel.width(), kNameHeight - 4);
+    painter->setFont(sectionFont());
+    painter->setPen(m_textColor);
+    painter->drawText(above, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, m_name);
+    painter->setFont(noteFont());
+    painter->setPen(m_mutedColor);
+    painter->drawText(above, Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip, m_note);
+    drawMarginLabels(*painter);
+}
+
+} // namespace driftbench

@@ -1,0 +1,56 @@
+// What stands around one panel: the axis name over its left end, a muted note over its right end, and labels
+// of lines in the right margin. Drawn from the panel's place at the moment of drawing, so it is right in any
+// size.
+#pragma once
+
+#include "widgets/style/palette.h"
+
+#include <qcustomplot.h>
+
+#include <vector>
+
+namespace driftbench {
+
+struct MarginLabel
+{
+    double value = 0.0; // where the line ends, on the left axis
+    QPen pen;           // colour and dash of the line, for the lead
+    QString text;
+    bool main = false; // semibold and in the line's colour; the others are muted
+};
+
+class PanelNotes : public QCPAbstractItem
+{
+    Q_OBJECT
+
+public:
+    PanelNotes(QCPAxisRect *rect, const Palette &palette);
+
+    // Both make room above the panel.
+    void setName(const QString &name);
+    void setNote(const QString &note);
+    // Makes room right of the panel.
+    void setMarginLabels(std::vector<MarginLabel> labels);
+
+    double selectTest(const QPointF &, bool, QVariant *) const override { return -1.0; }
+
+protected:
+    void draw(QCPPainter *painter) override;
+
+private:
+    void makeRoom();
+    void drawMarginLabels(QCPPainter &painter) const;
+
+    QCPAxisRect *m_rect;
+    QColor m_textColor;
+    QColor m_mutedColor;
+    QString m_name;
+    QString m_note;
+    std::vector<MarginLabel> m_labels;
+};
+
+// Where labels at the wanted heights go so that no two are closer than `distance`, each as near to its own
+// height as that allows, all within low..high as far as they fit. The order of the wanted heights is kept.
+std::vector<double> pushedApart(const std::vector<double> &wanted, double distance, double low, double high);
+
+} // namespace driftbench

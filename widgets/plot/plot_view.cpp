@@ -1,0 +1,88 @@
+#include "widgets/plot/plot_view.h"
+
+#include "widgets/plot/empty_element.h"
+#include "widgets/plot/legend_element.h"
+#include "widgets/plot/plot_style.h"
+
+#include <QVBoxLayout>
+
+namespace driftbench {
+
+static constexpr int kRowSpacing = 8;
+static constexpr int kColumnSpacing = 8;
+static constexpr int kPlotMargin = 12;
+
+PlotView::PlotView(const QString &accessibleName, const Palette &look, QWidget *parent)
+    : QWidget(parent), m_look(look), m_plot(new QCustomPlot(this))
+{
+    setAccessibleName(accessibleName);
+    m_plot->setAccessibleName(accessibleName);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_plot);
+}
+
+PlotView::~PlotView() = default;
+
+void PlotView::setLook(const Palette &look)
+{
+    m_look = look;
+    rebuild();
+}
+
+void PlotView::clearPlot()
+{
+    m_plot->clearPlottables();
+    m_plot->clearItems();
+    m_plot->plotLayout()->clear();
+    m_plot->plotLayout()->simplify();
+    for (QCPMarginGroup *group : m_marginGroups)
+        delete group;
+    m_marginGroups.clear();
+}
+
+void PlotView::rebuild()
+{
+    clearPlot();
+    applyPlotStyle(*m_plot, m_look);
+    m_plot->plotLayout()->setMargins(QMargins(kPlotMargin, kPlotMargin, kPlotMargin, kPlotMargin));
+    m_plot->plotLayout()->setRowSpacing(kRowSpacing);
+    m_empty = false;
+    build();
+    m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void PlotView::showEmpty(const QString &headline, const QString &sentence)
+{
+    m_empty = true;
+    QCPLayoutGrid *rows = m_plot->plotLayout();
+    rows->addElement(rows->rowCount(), 0, new EmptyElement(m_plot, headline, sentence, m_look));
+}
+
+void PlotView::addLegend(std::vector<LegendEntry> entries)
+{
+    QCPLayoutGrid *rows = m_plot->plotLayout();
+    rows->addElement(rows->rowCount(), 0, new LegendElement(m_plot, std::move(entries), m_look));
+}
+
+QCPLayoutGrid &PlotView::addPanels()
+{
+    QCPLayoutGrid *rows = m_plot->plotLayout();
+    auto *grid = new QCPLayoutGrid;
+    rows->addElement(rows->rowCount(), 0, grid);
+    grid->setRowSpacing(kRowSpacing);
+    grid->setColumnSpacing(kColumnSpacing);
+    m_marginGroups.push_back(new QCPMarginGroup(m_plot));
+    return *grid;
+}
+
+QCPAxisRect &PlotView::addPanel(QCPLayoutGrid &grid, int row, int column)
+{
+    auto *rect = new QCPAxisRect(m_plot);
+    grid.addElement(row, column, rect);
+    applyPlotStyle(*rect, m_look);
+    rect->setMarginGroup(QCP::msLeft | QCP::msRight, m_marginGroups.back());
+    return *rect;
+}
+
+} // namespace driftbench

@@ -1,0 +1,58 @@
+// What all views have in common: a widget that holds one plot, a look (light or dark), and a sentence in
+// place of the plot where there is nothing to show. A view is given plain engine values and draws them; it
+// changes nothing. The legend is part of the plot, so a picture of the plot is a picture of the view.
+#pragma once
+
+#include "widgets/style/palette.h"
+
+#include <QWidget>
+
+#include <vector>
+
+class QCPAxisRect;
+class QCPLayoutGrid;
+class QCPMarginGroup;
+class QCustomPlot;
+
+namespace driftbench {
+
+struct LegendEntry;
+
+class PlotView : public QWidget
+{
+    Q_OBJECT
+
+public:
+    ~PlotView() override;
+
+    const Palette &look() const { return m_look; }
+    void setLook(const Palette &look);
+
+    bool isEmpty() const { return m_empty; } // shows a sentence instead of data
+    QCustomPlot &plot() const { return *m_plot; }
+    virtual QSize figureSize() const = 0; // in px at 96 dpi, for pictures in reports
+
+    QSize sizeHint() const override { return figureSize(); }
+
+protected:
+    PlotView(const QString &accessibleName, const Palette &look, QWidget *parent);
+
+    void rebuild(); // after the data or the look changed
+    virtual void build() = 0;
+
+    // For build(): rows of the plot from top to bottom.
+    void showEmpty(const QString &headline, const QString &sentence);
+    void addLegend(std::vector<LegendEntry> entries);
+    QCPLayoutGrid &addPanels(); // all panels of one call share their margins by column side
+    QCPAxisRect &addPanel(QCPLayoutGrid &grid, int row, int column);
+
+private:
+    void clearPlot();
+
+    Palette m_look;
+    QCustomPlot *m_plot;
+    std::vector<QCPMarginGroup *> m_marginGroups;
+    bool m_empty = true;
+};
+
+} // namespace driftbench

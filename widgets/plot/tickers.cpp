@@ -1,0 +1,66 @@
+#include "widgets/plot/tickers.h"
+
+#include "widgets/style/number_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace driftbench {
+
+static constexpr double kLargestPlain = 1e8;
+static constexpr int kMostDecimals = 6;
+
+// The fewest decimals that write every multiple of step exactly.
+static int decimalsOfStep(double step)
+{
+    for (int decimals = 0; decimals < kMostDecimals; ++decimals) {
+        const double scaled = step * std::pow(10.0, decimals);
+        if (scaled > 0.5 && std::abs(scaled - std::round(scaled)) < 1e-6 * scaled)
+            return decimals;
+    }
+    return kMostDecimals;
+}
+
+double NumberTicker::getTickStep(const QCPRange &range)
+{
+    m_step = QCPAxisTicker::getTickStep(range);
+    m_decimals = decimalsOfStep(m_step);
+    return m_step;
+}
+
+QString NumberTicker::getTickLabel(double tick, const QLocale &locale, QChar, int)
+{
+    if (std::abs(tick) < 1e-9 * m_step)
+        return QStringLiteral("0");
+    if (std::abs(tick) >= kLargestPlain || m_step < std::pow(10.0, -kMostDecimals))
+        return powerText(tick, 1, locale);
+    return numberText(tick, m_decimals, locale);
+}
+
+double CountTicker::getTickStep(const QCPRange &range)
+{
+    return std::max(1.0, std::round(NumberTicker::getTickStep(range)));
+}
+
+double HourMinuteTicker::getTickStep(const QCPRange &range)
+{
+    static constexpr std::array<double, 13> kMinutes{1, 2, 5, 10, 15, 30, 60, 120, 180, 360, 720, 1440, 2880};
+    const double wanted = 60.0 * range.size() / tickCount();
+    const auto *const step = std::lower_bound(kMinutes.begin(), kMinutes.end(), 0.8 * wanted);
+    if (step != kMinutes.end())
+        return *step / 60.0;
+    return 24.0 * std::ceil(wanted / 1440.0);
+}
+
+QString HourMinuteTicker::getTickLabel(double tick, const QLocale &, QChar, int)
+{
+    return hourMinuteText(tick);
+}
+
+QString DecadeTicker::getTickLabel(double tick, const QLocale &locale, QChar, int)
+{
+    return decadeText(static_cast<int>(std::lround(std::log10(tick))), locale);
+}
+
+} // namespace driftbench

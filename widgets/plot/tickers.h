@@ -1,0 +1,61 @@
+// Tick labels as the workbench wants them: real minus, thin space, plain numbers, one number of decimals an
+// axis.
+#pragma once
+
+#include <qcustomplot.h>
+
+namespace driftbench {
+
+// Linear axis. Beyond 99 999 999 or below 1e-6 a step, ticks read "2.5×10⁷".
+class NumberTicker : public QCPAxisTicker
+{
+public:
+    explicit NumberTicker(int tickCount = 5) { setTickCount(tickCount); }
+
+protected:
+    double getTickStep(const QCPRange &range) override;
+    int getSubTickCount(double) override { return 0; }
+    QString getTickLabel(double tick, const QLocale &locale, QChar formatChar, int precision) override;
+
+private:
+    int m_decimals = 0;
+    double m_step = 1.0;
+};
+
+// Whole numbers only (a number of centres).
+class CountTicker : public NumberTicker
+{
+public:
+    using NumberTicker::NumberTicker;
+
+protected:
+    double getTickStep(const QCPRange &range) override;
+};
+
+// Keys in hours, labels h:min, steps that a clock has.
+class HourMinuteTicker : public QCPAxisTicker
+{
+public:
+    explicit HourMinuteTicker(int tickCount = 6) { setTickCount(tickCount); }
+
+protected:
+    double getTickStep(const QCPRange &range) override;
+    int getSubTickCount(double) override { return 0; }
+    QString getTickLabel(double tick, const QLocale &locale, QChar formatChar, int precision) override;
+};
+
+// Logarithmic axis: decades only.
+class DecadeTicker : public QCPAxisTickerLog
+{
+public:
+    explicit DecadeTicker(int tickCount = 7)
+    {
+        setTickCount(tickCount);
+        setSubTickCount(0);
+    }
+
+protected:
+    QString getTickLabel(double tick, const QLocale &locale, QChar formatChar, int precision) override;
+};
+
+} // namespace driftbench

@@ -1,0 +1,23 @@
+// Numbers as people read them: a real minus sign (U+2212), a thin space (U+2009) between thousands, the
+// decimal mark of the locale. Values that are not finite read "–".
+#pragma once
+
+#include <QLocale>
+#include <QString>
+
+namespace driftbench {
+
+QString numberText(double value, int decimals, const QLocale &locale = QLocale());
+
+// The decimals that give a number of this size three figures, at most `most`.
+int decimalsForThreeFigures(double value, int most = 4);
+
+// A power of ten as an axis labels it: 0.001 to 1 000 in full, beyond as 10 with a raised exponent.
+QString decadeText(int exponent, const QLocale &locale = QLocale());
+
+// A number too large or too small for plain figures: "2.5×10⁷".
+QString powerText(double value, int decimals, const QLocale &locale = QLocale());
+
+QString hourMinuteText(double hours); // "2:05", "−0:30"
+
+} // namespace driftbench

@@ -1,0 +1,91 @@
+#include "widgets/style/role_pens.h"
+
+namespace driftbench {
+
+QColor roleColor(Role role, const Palette &palette)
+{
+    switch (role) {
+    case Role::Raw:
+        return palette.raw;
+    case Role::Compensated:
+        return palette.compensated;
+    case Role::BpNetwork:
+        return palette.bpNetwork;
+    case Role::Cubic:
+        return palette.cubic;
+    case Role::Line:
+        return palette.line;
+    case Role::Constant:
+        return palette.constant;
+    case Role::Heating:
+        return palette.heating;
+    case Role::Cooling:
+        return palette.cooling;
+    case Role::Excluded:
+        return palette.excluded;
+    }
+    return palette.text;
+}
+
+static QList<qreal> dashes(Role role)
+{
+    switch (role) {
+    case Role::BpNetwork:
+        return {8, 3, 2, 3};
+    case Role::Cubic:
+        return {6, 3};
+    case Role::Line:
+        return {2, 3};
+    case Role::Constant:
+        return {1, 2};
+    default:
+        return {};
+    }
+}
+
+QPen rolePen(Role role, const Palette &palette)
+{
+    QPen pen(roleColor(role, palette), 1.0);
+    const QList<qreal> pattern = dashes(role);
+    if (!pattern.isEmpty()) {
+        pen.setDashPattern(pattern);
+        pen.setCapStyle(Qt::FlatCap);
+    }
+    return pen;
+}
+
+Role roleOfModel(std::string_view name)
+{
+    if (name == "bpnn")
+        return Role::BpNetwork;
+    if (name.starts_with("cubic"))
+        return Role::Cubic;
+    if (name == "linear")
+        return Role::Line;
+    if (name == "constant")
+        return Role::Constant;
+    return Role::Compensated;
+}
+
+QString modelLabel(std::string_view name)
+{
+    if (name == "rbf")
+        return QStringLiteral("RBF network");
+    if (name == "rbf-paper")
+        return QStringLiteral("RBF network, as in the paper");
+    if (name == "bpnn")
+        return QStringLiteral("BP network");
+    if (name == "cubic")
+        return QStringLiteral("cubic");
+    if (name == "cubic-ardupilot")
+        return QStringLiteral("cubic, as ArduPilot");
+    if (name == "linear")
+        return QStringLiteral("line");
+    if (name == "constant")
+        return QStringLiteral("constant");
+    if (name == "auto")
+        return QStringLiteral("recommended model of each axis");
+    return QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+}
+
+} // namespace driftbench

@@ -1,0 +1,137 @@
+#include "widgets/views/residual_view.h"
+
+#include "engine/base/axes.h"
+#include "widgets/plot/decimation.h"
+#include "widgets/plot/legend_element.h"
+#include "widgets/plot/panel_notes.h"
+#include "widgets/plot/plot_style.h"
+#include "widgets/plot/series.h"
+#include "widgets/views/scatter_dots.h"
+
+#include <cmath>
+
+namespace driftbench {
+
+static constexpr double kCellC = 1.0;
+static constexpr double kSameSpanUpTo = 4.0; // axes whose spans differ by more get each their own
+
+ResidualView::ResidualView(const Palette &look, QWidget *parent)
+    : PlotView(tr("Residual against temperature"), look, parent)
+{
+    rebuild();
+}
+
+void ResidualView::setData(ResidualData shown)
+{
+    m_data = std::move(shown);
+    rebuild();
+}
+
+static QVector<double> shifted(QVector<double> values, double by)
+{
+    for (double &value : values)
+        value += by;
+    return values;
+}
+
+void ResidualView::drawMeans(QCPAxisRect &rect, int axis) const
+{
+    for (std::size_t r = 0; r < m_data.runs.size(); ++r) {
+        const RunFeatures &run = *m_data.runs[r];
+        const auto heating = heatingFlags(run.timeS, run.deltaT);
+        for (const std::uint8_t direction : {1, 0}) {
+            Eigen::VectorXd values = m_data.residualDps[r].col(axis);
+            Extent extent;
+            for (Eigen::Index i = 0; i < values.size(); ++i) {
+                if (heating[static_cast<std::size_t>(i)] != direction)
+                    values[i] = NAN;
+                else
+                    extent.include(run.deltaT[i]);
+            }
+            if (extent.empty())
+                continue;
+            const int cells = std::max(1, static_cast<int>((extent.high() - extent.low()) / kCellC));
+            const auto means = envelope(run.deltaT, values, extent.low(), extent.high(), cells);
+            addLine(rect, shifted(means.key, m_data.referenceTemperatureC), means.mean,
+                    QPen(look().text, 1.0));
+        }
+    }
+}
+
+void ResidualView::drawBand(QCPAxisRect &rect, int axis) const
+{
+    QVector<double> temperature, low, high;
+    for (Eigen::Index b = 0; b < m_data.band->temperatureC.size(); ++b) {
+        const double half = m_data.band->curveHalfWidthDps(b, axis);
+        if (!std::isfinite(half))
+            continue;
+        temperature.append(m_data.band->temperatureC[b]);
+        low.append(-half);
+        high.append(half);
+    }
+    addRange(rect, temperature, low, high, look().border);
+}
+
+void ResidualView::build()
+{
+    std::array<ScatterDots, 3> dots;
+    std::array<Extent, 3> extents;
+    Extent temperature, widest;
+    double narrowest = INFINITY;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        std::vector<Eigen::VectorXd> values;
+        for (const Eigen::MatrixX3d &residual : m_data.residualDps)
+            values.emplace_back(residual.col(static_cast<Eigen::Index>(axis)));
+        dots[axis] = scatterDots(m_data.runs, values);
+        for (const auto *group : {&dots[axis].heating, &dots[axis].cooling, &dots[axis].excluded}) {
+            for (qsizetype i = 0; i < group->deltaT.size(); ++i) {
+                temperature.include(group->deltaT[i] + m_data.referenceTemperatureC);
+                extents[axis].include(group->valueDps[i]);
+            }
+        }
+        extents[axis].include(0.0);
+        widest.include(extents[axis].low());
+        widest.include(extents[axis].high());
+        narrowest = std::min(narrowest, extents[axis].high() - extents[axis].low());
+    }
+    if (temperature.empty()) {
+        showEmpty(tr("No residuals yet"), tr("Train a model and choose runs that it has not seen."));
+        return;
+    }
+    const bool same = widest.high() - widest.low() <= kSameSpanUpTo * narrowest;
+
+    using Kind = LegendEntry::Kind;
+    std::vector<LegendEntry> entries{
+        {Kind::Dot, tr("Heating"), QPen(Qt::NoPen), look().heating},
+        {Kind::Dot, tr("Cooling"), QPen(Qt::NoPen), look().cooling},
+        {Kind::Dot, tr("Excluded"), QPen(Qt::NoPen), look().excluded},
+        {Kind::Line, tr("Mean over 1 °C, each run"), QPen(look().text, 1.0), {}}};
+    if (m_data.band)
+        entries.push_back(
+            {Kind::Range, tr("95 % band of a new run's curve"), QPen(Qt::NoPen), look().border});
+    addLegend(std::move(entries));
+    QCPLayoutGrid &grid = addPanels();
+    for (int axis = 0; axis < kAxisCount; ++axis) {
+        const auto a = static_cast<std::size_t>(axis);
+        QCPAxisRect &rect = addPanel(grid, 0, axis);
+        QCPAxis &value = *rect.axis(QCPAxis::atLeft);
+        rect.axis(QCPAxis::atBottom)->setRange(temperature.padded(0.03));
+        rect.axis(QCPAxis::atBottom)->setLabel(tr("T (°C)"));
+        value.setRange((same ? widest : extents[a]).padded());
+        value.setLabel(axis == 0 ? tr("Residual (dps)") : QString());
+        if (axis > 0 && same)
+            hideAxisText(value);
+        const double reference = m_data.referenceTemperatureC;
+        addDots(rect, shifted(dots[a].excluded.deltaT, reference), dots[a].excluded.valueDps,
+                look().excluded);
+        addDots(rect, shifted(dots[a].heating.deltaT, reference), dots[a].heating.valueDps, look().heating);
+        addDots(rect, shifted(dots[a].cooling.deltaT, reference), dots[a].cooling.valueDps, look().cooling);
+        if (m_data.band)
+            drawBand(rect, axis);
+        addHorizontal(rect, 0.0, QPen(look().axisLine, 1.0));
+        drawMeans(rect, axis);
+        (new PanelNotes(&rect, look()))->setName(QString::fromUtf8(kAxisNames[a].data()));
+    }
+}
+
+} // namespace driftbench

@@ -1,0 +1,44 @@
+// What a model leaves of the TDE, against temperature, for each axis: samples as dots by the direction of the
+// temperature, the mean of each run over 1 degree as a line. A good model leaves level lines at zero.
+#pragma once
+
+#include "engine/features/run_features.h"
+#include "engine/models/trained_model.h"
+#include "widgets/plot/plot_view.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace driftbench {
+
+struct ResidualData
+{
+    std::vector<std::shared_ptr<const RunFeatures>> runs;
+    std::vector<Eigen::MatrixX3d> residualDps; // of each run, as many rows as it has samples
+    double referenceTemperatureC = 0.0;
+    std::optional<UncertaintyBand> band; // of the curve, drawn around zero
+};
+
+class ResidualView : public PlotView
+{
+    Q_OBJECT
+
+public:
+    explicit ResidualView(const Palette &look = lightPalette(), QWidget *parent = nullptr);
+
+    void setData(ResidualData shown);
+
+    QSize figureSize() const override { return {1040, 360}; }
+
+protected:
+    void build() override;
+
+private:
+    void drawMeans(QCPAxisRect &rect, int axis) const;
+    void drawBand(QCPAxisRect &rect, int axis) const;
+
+    ResidualData m_data;
+};
+
+} // namespace driftbench
