@@ -1,7 +1,7 @@
 #include "engine/compensation/axis_selection.h"
 #include "engine/compensation/compensation_table.h"
 #include "engine/compensation/table_apply.h"
-#include "support/random_models.h"
+#include "support/models_for_export.h"
 
 #include <QRegularExpression>
 #include <QTest>

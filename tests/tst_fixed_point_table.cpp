@@ -1,5 +1,5 @@
 #include "engine/compensation/fixed_point_table.h"
-#include "support/random_models.h"
+#include "support/models_for_export.h"
 
 #include <QTest>
 #include <cmath>

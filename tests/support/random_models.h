@@ -1,85 +1,105 @@
-// Trained models with random parameters, for tests of what is made from a model.
+// Models of every kind with random parameters, for tests of what must hold for any model.
 #pragma once
 
 #include "engine/base/random.h"
 #include "engine/models/trained_model.h"
 
-#include <QTest>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
 
 namespace driftbench::test {
 
-inline TrainedModel framed(Random &random, std::string name, AnyModel model)
+inline Eigen::MatrixXd randomMatrix(Random &random, Eigen::Index rows, Eigen::Index columns)
+{
+    // Magnitudes over many decades, so that writing with too few digits shows.
+    return Eigen::MatrixXd::NullaryExpr(
+        rows, columns, [&] { return random.normal() * std::pow(10.0, random.uniform(-6.0, 2.0)); });
+}
+
+inline Standardiser randomStandardiser(Random &random, Eigen::Index columns)
+{
+    return {randomMatrix(random, 1, columns), randomMatrix(random, 1, columns).cwiseAbs().array() + 1.0};
+}
+
+inline BpNetwork randomBpNetwork(Random &random)
+{
+    BpNetwork network;
+    network.inputs = randomStandardiser(random, 2);
+    const auto hidden = static_cast<Eigen::Index>(1 + random.below(12));
+    for (auto &axis : network.axes) {
+        axis = {randomMatrix(random, hidden, 2),
+                randomMatrix(random, hidden, 1),
+                randomMatrix(random, hidden, 1),
+                random.normal(),
+                random.normal(),
+                0.1 + random.uniform()};
+    }
+    return network;
+}
+
+inline RbfNetwork randomRbfNetwork(Random &random)
+{
+    RbfNetwork network;
+    network.inputs = randomStandardiser(random, 3);
+    const auto size = static_cast<Eigen::Index>(random.below(20));
+    network.centres = randomMatrix(random, size, 3);
+    network.widths = randomMatrix(random, size, 1).cwiseAbs().array() + 0.01;
+    network.weightsDps = randomMatrix(random, size, 3);
+    network.linearDps = randomMatrix(random, 3, 3);
+    network.biasDps = randomMatrix(random, 3, 1);
+    for (int &count : network.centreCount)
+        count = static_cast<int>(random.below(static_cast<std::uint64_t>(size) + 1));
+    return network;
+}
+
+inline TrainedModel randomTrained(Random &random, const std::string &name, AnyModel model)
 {
     TrainedModel trained;
-    trained.name = std::move(name);
+    trained.name = name;
     trained.model = std::move(model);
-    trained.lowestTemperatureC = random.uniform(-45.0, 10.0);
-    trained.highestTemperatureC = trained.lowestTemperatureC + random.uniform(20.0, 120.0);
-    trained.sensor = {"I3G4250D", "3408138"};
-    trained.trainedOn = {"run1", "run2"};
-    trained.verdicts = {Verdict::Yes, Verdict::Yes, Verdict::Yes};
-    trained.reasons = {"gain 0.99", "gain 0.98", "gain 0.97"};
+    trained.referenceTemperatureC = random.normal() * 20.0;
+    trained.lowestTemperatureC = -40.0 + random.uniform();
+    trained.highestTemperatureC = 85.0 + random.uniform();
+    trained.sensor = {"I3G4250D", "SIM-\"0001\" \xC3\xA9"};
+    trained.simulated = random.below(2) == 0;
+    trained.trainedOn = {"run1", "run 2"};
+    trained.seed = random.bits();
+    trained.judging = "anchored";
+    trained.summary = {{"centres_x", 8.0}, {"held_out_rms_y_dps", random.normal()}};
+    trained.verdicts = {Verdict::Yes, std::nullopt, Verdict::NoDrift};
+    trained.reasons = {"line 1\nline 2", "",
+                       "\xE2\x88\x92"
+                       "3.99"};
+    if (random.below(2) == 0) {
+        UncertaintyBand band{5, randomMatrix(random, 7, 1), randomMatrix(random, 7, 3).cwiseAbs(),
+                             randomMatrix(random, 7, 3).cwiseAbs()};
+        band.curveHalfWidthDps(2, 1) = std::numeric_limits<double>::quiet_NaN();
+        trained.band = band;
+    }
     return trained;
 }
 
-inline TrainedModel randomCubic(Random &random)
+// One of each kind, "per axis" last.
+inline std::vector<TrainedModel> randomModelsOfEveryKind(Random &random)
 {
     PolynomialModel cubic;
-    cubic.centreDeltaT = random.uniform(-10.0, 60.0);
-    for (int power = 0; power < 4; ++power) {
-        for (int axis = 0; axis < 3; ++axis)
-            cubic.coefficients(power, axis) = random.normal() * std::pow(0.02, power);
-    }
-    TrainedModel trained = framed(random, "cubic", cubic);
-    trained.referenceTemperatureC = trained.lowestTemperatureC;
-    return trained;
-}
-
-// rootDps: weight of the signed root of dT, in dps for the mean square of the root in the trained range.
-inline TrainedModel randomRbf(Random &random, double rootDps = 0.05)
-{
-    TrainedModel trained = framed(random, "rbf", ConstantModel{});
-    const double span = trained.highestTemperatureC - trained.lowestTemperatureC;
-    // At the lower end as in a campaign that starts cold, or anywhere.
-    trained.referenceTemperatureC =
-        trained.lowestTemperatureC + (random.below(2) == 0 ? 0.0 : random.uniform(0.0, span));
-    const Eigen::VectorXd deltaT =
-        Eigen::VectorXd::LinSpaced(200, trained.lowestTemperatureC - trained.referenceTemperatureC,
-                                   trained.highestTemperatureC - trained.referenceTemperatureC);
-    const Eigen::MatrixXd rows = temperatureQuantities(FeatureSet::DeltaTSquaredRoot, deltaT);
-    RbfNetwork network;
-    network.inputs = Standardiser::fit(rows, Eigen::VectorXd::Ones(rows.rows()));
-    const Eigen::MatrixXd standardised = network.inputs.transform(rows);
-    const Eigen::Index size = 3 + static_cast<Eigen::Index>(random.below(12));
-    network.centres.resize(size, 3);
-    network.widths.resize(size);
-    network.weightsDps.resize(size, 3);
-    for (Eigen::Index j = 0; j < size; ++j) {
-        network.centres.row(j) = standardised.row(static_cast<Eigen::Index>(random.below(200)));
-        network.widths[j] = random.uniform(0.15, 1.0);
-        for (int axis = 0; axis < 3; ++axis)
-            network.weightsDps(j, axis) = 0.3 * random.normal();
-    }
-    for (int axis = 0; axis < 3; ++axis) {
-        network.biasDps[axis] = random.normal();
-        network.linearDps(0, axis) = 0.5 * random.normal();
-        network.linearDps(1, axis) = 0.2 * random.normal();
-        network.linearDps(2, axis) = rootDps * random.normal();
-    }
-    trained.model = network;
-    return trained;
-}
-
-inline TrainedModel randomModel(Random &random)
-{
-    return random.below(3) == 0 ? randomCubic(random) : randomRbf(random);
-}
-
-// The seed of a property test, printed so that a failure can be repeated.
-inline Random announced(std::uint64_t seed)
-{
-    qInfo("seed %llu", static_cast<unsigned long long>(seed));
-    return Random(seed);
+    cubic.centreDeltaT = random.normal();
+    cubic.coefficients = randomMatrix(random, 4, 3);
+    std::vector<TrainedModel> models;
+    models.push_back(randomTrained(random, "constant", ConstantModel{randomMatrix(random, 3, 1)}));
+    models.push_back(
+        randomTrained(random, "linear", LinearModel{randomMatrix(random, 3, 1), randomMatrix(random, 3, 1)}));
+    models.push_back(randomTrained(random, "cubic", cubic));
+    models.push_back(randomTrained(random, "bpnn", randomBpNetwork(random)));
+    models.push_back(randomTrained(random, "rbf", randomRbfNetwork(random)));
+    PerAxisModel perAxis;
+    for (auto &axis : perAxis.axes)
+        axis = std::make_shared<const TrainedModel>(models[random.below(models.size())]);
+    models.push_back(randomTrained(random, "auto", perAxis));
+    return models;
 }
 
 } // namespace driftbench::test
