@@ -58,9 +58,9 @@ std::vector<std::string> provenanceLines(const TableProvenance &provenance,
         lines.emplace_back("SIMULATED: trained on simulated data, not for use in a device");
     lines.push_back("sensor: " + provenance.sensor.text());
     lines.push_back("model: " + provenance.modelName + ", reference temperature " +
-                    shortest(provenance.referenceTemperatureC) + " deg C");
-    lines.push_back("trained from " + shortest(provenance.lowestTemperatureC) + " to " +
-                    shortest(provenance.highestTemperatureC) + " deg C; outside, the edge value is held");
+                    fixed(provenance.referenceTemperatureC, 3) + " deg C");
+    lines.push_back("trained from " + fixed(provenance.lowestTemperatureC, 3) + " to " +
+                    fixed(provenance.highestTemperatureC, 3) + " deg C; outside, the edge value is held");
     lines.push_back("trained on: " + joined(provenance.trainedOn));
     for (std::size_t axis = 0; axis < compensated.size(); ++axis)
         lines.push_back(axisLine(provenance, axis, compensated[axis]));
