@@ -74,7 +74,7 @@ struct TableOptions
     static constexpr std::int32_t kLargestSpanMilliC = 1000000;
 
     // Unset: kDefaultErrorDps, or what the largest table reaches where the model is too steep for that.
-    std::optional<double> maxInterpolationErrorDps;
+    std::optional<double> maxInterpolationErrorDps{};
     int largestKnotCount = 4097; // 2 .. kKnotLimit
 };
 
