@@ -37,7 +37,7 @@ std::string forReading(double value, int decimals)
 std::optional<double> parseNumber(std::string_view text)
 {
     text = trimmed(text);
-    if (!text.empty() && text[0] == '+')
+    if (text.size() > 1 && text[0] == '+' && text[1] != '-')
         text.remove_prefix(1);
     double value = 0.0;
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);

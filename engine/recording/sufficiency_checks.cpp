@@ -82,7 +82,8 @@ struct CellVariances
     int cells = 0;
 };
 
-CellVariances cellVariances(const std::vector<double> &temperatureC, const std::vector<double> &rateDps)
+// Cells of 1 degree; rates count from the first one, so that a reference rate costs no digits.
+std::vector<Cell> cellsOf(const std::vector<double> &temperatureC, const std::vector<double> &rateDps)
 {
     const auto [low, high] = std::minmax_element(temperatureC.begin(), temperatureC.end());
     const double firstC = std::floor(*low);
@@ -95,6 +96,11 @@ CellVariances cellVariances(const std::vector<double> &temperatureC, const std::
         cell.sum += rate;
         cell.squares += rate * rate;
     }
+    return cells;
+}
+
+CellVariances cellVariances(const std::vector<Cell> &cells)
+{
     CellVariances result;
     double freedom = 0.0;
     double sum = 0.0;
@@ -156,7 +162,7 @@ void checkDrift(Draft &draft)
     std::string axes;
     double largestSwingDps = 0.0;
     for (std::size_t axis = 0; axis < columns.rateDps.size(); ++axis) {
-        const CellVariances variances = cellVariances(columns.temperatureC, columns.rateDps[axis]);
+        const CellVariances variances = cellVariances(cellsOf(columns.temperatureC, columns.rateDps[axis]));
         if (variances.cells < 2 || variances.within == 0.0 ||
             variances.ofMeans > kNoDriftPart * variances.within)
             continue;

@@ -113,6 +113,7 @@ std::vector<Knot> knotsOf(const std::vector<Dwell> &dwells)
     return knots;
 }
 
+// Before the first knot and after the last the lines go on for half a step: a reading says no more.
 std::vector<double> interpolated(const UsableColumns &columns, const std::vector<Knot> &knots)
 {
     std::vector<double> values(columns.size());
@@ -123,7 +124,7 @@ std::vector<double> interpolated(const UsableColumns &columns, const std::vector
             ++k;
         const Knot &a = knots[k];
         const Knot &b = knots[k + 1];
-        const double part = std::clamp((timeS - a.timeS) / (b.timeS - a.timeS), 0.0, 1.0);
+        const double part = std::clamp((timeS - a.timeS) / (b.timeS - a.timeS), -0.5, 1.5);
         values[i] = a.temperatureC + part * (b.temperatureC - a.temperatureC);
     }
     return values;
