@@ -368,7 +368,7 @@ void TestGyroSimulator::samples_streamedInBlocksOrWhole_areTheSameBits()
     QVERIFY(whole.size() > 3000);
     for (const Eigen::Index rows : {Eigen::Index{1}, Eigen::Index{7}, Eigen::Index{5000}}) {
         GyroSimulator one = simulator(options, 2);
-        SampleBlock block(rows);
+        SampleBlock block = SampleBlock::withRows(rows);
         Eigen::Index filled = 0;
         while (const Eigen::Index count = one.fill(block)) {
             QVERIFY(filled + count <= whole.size());

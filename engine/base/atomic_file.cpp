@@ -97,12 +97,19 @@ Status AtomicFile::write(std::string_view bytes)
     return m_buffer.size() < kBufferBytes ? Status() : flushBuffer();
 }
 
-Status AtomicFile::commit()
+Status AtomicFile::prepare()
 {
     if (Status flushed = flushBuffer(); !flushed)
         return flushed;
     if (::fsync(m_descriptor) != 0)
         return failure(errno);
+    return {};
+}
+
+Status AtomicFile::commit()
+{
+    if (Status prepared = prepare(); !prepared)
+        return prepared;
     if (::rename(m_temporary.c_str(), m_target.c_str()) != 0)
         return failure(errno);
     if (::close(std::exchange(m_descriptor, -1)) != 0)

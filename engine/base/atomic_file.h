@@ -22,7 +22,10 @@ public:
     ~AtomicFile(); // without commit: the temporary file goes, the target stays as it was
 
     Status write(std::string_view bytes);
-    Status commit();
+    // Brings all that was written to the disk, still beside the target. Of several files that belong together
+    // all are prepared before the first is committed: a disk that is full then shows before any is replaced.
+    Status prepare();
+    Status commit(); // prepares and puts the file in place
 
 private:
     AtomicFile(std::filesystem::path target, std::filesystem::path temporary, int descriptor);

@@ -4,6 +4,7 @@
 
 #include "engine/base/progress.h"
 #include "engine/recording/recording.h"
+#include "engine/recording/sample_block.h"
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -11,16 +12,6 @@
 #include <vector>
 
 namespace driftbench {
-
-struct SampleBlock
-{
-    std::int64_t firstSample = 0; // index of the block's first sample in the log
-    Eigen::VectorXd timeS;        // N
-    Eigen::VectorXd temperatureC; // N
-    Eigen::MatrixX3d rateDps;     // N x 3
-
-    Eigen::Index size() const { return timeS.size(); }
-};
 
 // Gets every block in the order of the log, none of them empty.
 using SampleSink = std::function<Flow(const SampleBlock &)>;

@@ -186,7 +186,7 @@ Result<Recording> simulateRun(const SimulationOptions &options, int run, const P
     recording.timeS.resize(rows);
     recording.temperatureC.resize(rows);
     recording.rateDps.resize(rows, kAxisCount);
-    SampleBlock block(std::min(kBlockRows, rows));
+    SampleBlock block = SampleBlock::withRows(std::min(kBlockRows, rows));
     Eigen::Index filled = 0;
     while (const Eigen::Index count = simulator->fill(block)) {
         recording.timeS.segment(filled, count) = block.timeS.head(count);

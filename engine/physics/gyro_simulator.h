@@ -24,6 +24,7 @@
 #include "engine/physics/simulated_faults.h"
 #include "engine/physics/simulation_options.h"
 #include "engine/recording/recording.h"
+#include "engine/recording/sample_block.h"
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -36,16 +37,6 @@ struct GyroSample
     double timeS = 0.0;
     double temperatureC = 0.0;
     Eigen::Vector3d rateDps = Eigen::Vector3d::Zero();
-};
-
-// Room for as many samples as its columns have rows.
-struct SampleBlock
-{
-    explicit SampleBlock(Eigen::Index rows) : timeS(rows), temperatureC(rows), rateDps(rows, kAxisCount) {}
-
-    Eigen::VectorXd timeS;
-    Eigen::VectorXd temperatureC;
-    Eigen::MatrixX3d rateDps;
 };
 
 class GyroSimulator

@@ -13,6 +13,13 @@ constexpr double kHighestSampleRateHz = 100000.0;
 constexpr double kMostSamples = 1e12;
 constexpr int kMostEvents = 10000;
 
+// Whole numbers in full: 100000, not 1e+05.
+std::string inFull(double value)
+{
+    constexpr double kLongest = 1e12;
+    return value == std::floor(value) && std::abs(value) <= kLongest ? fixed(value, 0) : shortest(value);
+}
+
 // A quantity with the bounds that it must keep, both included.
 struct Bound
 {
@@ -30,18 +37,18 @@ Status check(const Bound &bound)
     if (bound.value >= bound.lowest && bound.value <= bound.highest)
         return {};
     const std::string unit(bound.unit);
-    return Error{Errc::InvalidOption, "The " + std::string(bound.what) + " is " + shortest(bound.value) +
-                                          unit + "; give " + shortest(bound.lowest) + " to " +
-                                          shortest(bound.highest) + unit + "."};
+    return Error{Errc::InvalidOption, "The " + std::string(bound.what) + " is " + inFull(bound.value) + unit +
+                                          "; give " + inFull(bound.lowest) + " to " + inFull(bound.highest) +
+                                          unit + "."};
 }
 
 Status checkPositive(std::string_view what, double value, std::string_view unit, double highest)
 {
     if (value > 0.0 && value <= highest)
         return {};
-    return Error{Errc::InvalidOption, "The " + std::string(what) + " is " + shortest(value) +
+    return Error{Errc::InvalidOption, "The " + std::string(what) + " is " + inFull(value) +
                                           std::string(unit) + "; give more than 0 and at most " +
-                                          shortest(highest) + std::string(unit) + "."};
+                                          inFull(highest) + std::string(unit) + "."};
 }
 
 Status checkSampleCount(const SimulationOptions &options)
@@ -49,9 +56,9 @@ Status checkSampleCount(const SimulationOptions &options)
     const double samples = options.profile.durationS() * options.gyro.sampleRateHz;
     if (samples >= 1.0 && samples <= kMostSamples)
         return {};
-    return Error{Errc::InvalidOption, "The profile of " + shortest(options.profile.durationS()) + " s has " +
-                                          shortest(samples) + " samples at " +
-                                          shortest(options.gyro.sampleRateHz) +
+    return Error{Errc::InvalidOption, "The profile of " + inFull(options.profile.durationS()) + " s has " +
+                                          inFull(samples) + " samples at " +
+                                          inFull(options.gyro.sampleRateHz) +
                                           " Hz; choose a sampling rate that gives 1 to a million million."};
 }
 

@@ -21,7 +21,7 @@ int main(int argc, char **argv)
     for (long long wanted = most / 100; wanted <= most; wanted *= 10) {
         const auto start = std::chrono::steady_clock::now();
         ThermalCurve curve;
-        SampleBlock block(65536);
+        SampleBlock block = SampleBlock::withRows(65536);
         long long done = 0;
         for (int run = 0; done < wanted; ++run) {
             auto simulator = GyroSimulator::create(options, run);

@@ -1,0 +1,105 @@
+#include "app/cli/cli_io.h"
+#include "app/cli/command.h"
+#include "app/cli/log_options.h"
+#include "engine/base/axes.h"
+#include "engine/exports/export_model.h"
+#include "engine/models/model_file.h"
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace driftbench::cli {
+
+namespace {
+
+struct ExportArguments
+{
+    std::string model;
+    std::string format;
+    std::string out;
+    std::string axes;
+    std::optional<double> boundDps;
+    ExportOptions options;
+    bool json = false;
+};
+
+// "x,y" or "xy"
+Result<std::array<bool, 3>> axesNamed(const std::string &text)
+{
+    std::array<bool, 3> axes{};
+    for (const char c : text) {
+        if (c == ',')
+            continue;
+        const std::size_t axis = std::string_view("xyz").find(c);
+        if (axis == std::string_view::npos)
+            return Error{Errc::InvalidOption,
+                         "--axes \"" + text + "\" names no axes. Say x, y and z with commas."};
+        axes[axis] = true;
+    }
+    return axes;
+}
+
+Status exportIt(ExportArguments arguments)
+{
+    const auto format = exportFormatFromName(arguments.format);
+    if (!format)
+        return Error{Errc::InvalidOption,
+                     "There is no format \"" + arguments.format + "\". Say csv, json, c, px4 or ardupilot."};
+    if (!arguments.axes.empty()) {
+        const auto axes = axesNamed(arguments.axes);
+        if (!axes)
+            return axes.error();
+        arguments.options.axes = *axes;
+    }
+    if (arguments.boundDps)
+        arguments.options.table.maxInterpolationErrorDps = *arguments.boundDps;
+    const auto model = loadModel(arguments.model);
+    if (!model)
+        return model.error();
+    const auto notes = exportModelToFile(*model, *format, arguments.options, arguments.out);
+    if (!notes)
+        return notes.error();
+    printWarnings("", *notes);
+    if (arguments.json)
+        return printJson({{"out", arguments.out}, {"format", arguments.format}, {"notes", *notes}});
+    return printResult(arguments.out + "\n");
+}
+
+} // namespace
+
+void addExportCommand(CLI::App &program, Invocation &invocation)
+{
+    const auto arguments = std::make_shared<ExportArguments>();
+    CLI::App *command =
+        addCommand(program, "export",
+                   "Writes a model in the form in which it is used: a table as CSV, JSON or C header, or the "
+                   "parameters of PX4 or ArduPilot. Axes without the verdict yes need --force.",
+                   "driftbench-cli export --model fit/models/auto.json --format c --out gyro_tde.h");
+    command->add_option("--model", arguments->model, "Model file that fit wrote")
+        ->required()
+        ->type_name("FILE");
+    command->add_option("--format", arguments->format, "csv, json, c, px4, ardupilot")
+        ->required()
+        ->type_name("NAME");
+    command->add_option("--out", arguments->out, "File to write")->required()->type_name("FILE");
+    command
+        ->add_option("--axes", arguments->axes,
+                     "Only these axes, like x,y (default: all whose verdict is yes)")
+        ->type_name("AXES");
+    command->add_flag("--force", arguments->options.force, "Also axes whose verdict is not yes");
+    command
+        ->add_option("--bound", arguments->boundDps,
+                     "Largest interpolation error of a table (default 0.001 dps)")
+        ->type_name("DPS");
+    command->add_option("--symbol", arguments->options.symbol, "c: prefix of the names in the header")
+        ->capture_default_str();
+    command->add_option("--gyro", arguments->options.gyro,
+                        "px4: 0 to 3, ardupilot: 1 to 3 (default: the first)");
+    command->add_option("--device-id", arguments->options.deviceId,
+                        "px4: id of the gyro (default: the sensor's serial number, if that is a number)");
+    addJsonOption(*command, arguments->json);
+    command->callback(
+        [arguments, &invocation] { invocation.run = [arguments] { return exportIt(*arguments); }; });
+}
+
+} // namespace driftbench::cli

@@ -1,0 +1,31 @@
+#include "app/cli/interrupt.h"
+
+#include <csignal>
+
+namespace driftbench::cli {
+
+namespace {
+
+// A signal handler can leave its message nowhere else.
+volatile std::sig_atomic_t wasInterrupted = 0;
+
+extern "C" void noteInterrupt(int signalNumber)
+{
+    wasInterrupted = 1;
+    std::signal(signalNumber, SIG_DFL);
+}
+
+} // namespace
+
+void listenForInterrupts()
+{
+    std::signal(SIGINT, noteInterrupt);
+    std::signal(SIGTERM, noteInterrupt);
+}
+
+bool interrupted()
+{
+    return wasInterrupted != 0;
+}
+
+} // namespace driftbench::cli

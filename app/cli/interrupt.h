@@ -1,0 +1,10 @@
+// Ctrl-C and SIGTERM ask long work to stop at its next progress report, so that no half file is left. A
+// second one ends the program at once.
+#pragma once
+
+namespace driftbench::cli {
+
+void listenForInterrupts();
+bool interrupted();
+
+} // namespace driftbench::cli
