@@ -10,7 +10,7 @@ namespace driftbench {
 
 namespace {
 
-constexpr double kCellWidthC = 1.0;
+constexpr int kCellFactor = 50; // of the thermal curve's 0.02 degrees: 1 degree
 constexpr double kNearC = 1.0;
 constexpr double kFewestSamples = 3.0;
 
@@ -41,17 +41,20 @@ double stepOf(const TrainingSet &set)
     return high - low >= 20.0 ? 5.0 : 1.0;
 }
 
-PassageSums sumAroundSteps(const RunFeatures &run, const Sweep &sweep, double referenceC, double stepC)
+PassageSums sumAroundSteps(const std::string &run, bool heating, const ThermalCurve &curve, double referenceC,
+                           double stepC)
 {
-    PassageSums sums{run.name, sweep.heating, {}};
-    for (Eigen::Index i = sweep.first; i < sweep.last; ++i) {
-        const double temperatureC = run.deltaT[i] + referenceC;
+    PassageSums sums{run, heating, {}};
+    for (const ThermalCell &cell : curve.cells()) {
+        if (cell.count == 0.0)
+            continue;
+        const double temperatureC = cell.meanDeltaT() + referenceC;
         const double nearest = std::round(temperatureC / stepC);
         if (std::abs(temperatureC - nearest * stepC) > kNearC)
             continue;
         Sum &sum = sums.byStep[static_cast<int>(nearest)];
-        sum.count += 1.0;
-        sum.tdeDps += run.tdeDps.row(i).transpose();
+        sum.count += cell.count;
+        sum.tdeDps += cell.sumTdeDps;
     }
     std::erase_if(sums.byStep, [](const auto &entry) { return entry.second.count < kFewestSamples; });
     return sums;
@@ -104,19 +107,19 @@ void compareDirections(Hysteresis &result, const ThermalCurve &heating, const Th
 Hysteresis analyseHysteresis(const TrainingSet &set)
 {
     const double stepC = stepOf(set);
-    ThermalCurve heating(kCellWidthC);
-    ThermalCurve cooling(kCellWidthC);
+    ThermalCurve heating;
+    ThermalCurve cooling;
     std::vector<PassageSums> passages;
     for (const auto &run : set.runs) {
         for (const Sweep &sweep : sweepsOf(*run)) {
-            ThermalCurve &curve = sweep.heating ? heating : cooling;
-            for (Eigen::Index i = sweep.first; i < sweep.last; ++i)
-                curve.add(run->deltaT[i], run->tdeDps.row(i).transpose());
-            passages.push_back(sumAroundSteps(*run, sweep, set.referenceTemperatureC, stepC));
+            const ThermalCurve curve = curveOf(*run, sweep);
+            (sweep.heating ? heating : cooling).merge(curve);
+            passages.push_back(
+                sumAroundSteps(run->name, sweep.heating, curve, set.referenceTemperatureC, stepC));
         }
     }
     Hysteresis result;
-    compareDirections(result, heating, cooling);
+    compareDirections(result, heating.coarsened(kCellFactor), cooling.coarsened(kCellFactor));
     findMeeting(result, passages, stepC);
     return result;
 }

@@ -1,6 +1,5 @@
 #include "engine/evaluation/repeatability.h"
 
-#include "engine/evaluation/noise_floor.h"
 #include "engine/evaluation/sweeps.h"
 
 #include <cmath>
@@ -12,31 +11,21 @@ namespace driftbench {
 
 namespace {
 
-constexpr double kCellWidthC = 1.0;
+constexpr int kCellFactor = 50; // of the thermal curve's 0.02 degrees: 1 degree
+constexpr int kFloorFactor = 25;
 constexpr double kFewestSamples = 3.0;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-// One run, or one sweep of it, as the means of its 1 degree cells.
-ThermalCurve cellsOf(const RunFeatures &run, Eigen::Index first, Eigen::Index last)
-{
-    ThermalCurve cells(kCellWidthC);
-    for (Eigen::Index i = first; i < last; ++i) {
-        if (run.usableForTraining[static_cast<std::size_t>(i)] != 0)
-            cells.add(run.deltaT[i], run.tdeDps.row(i).transpose());
-    }
-    return cells;
-}
 
 std::vector<ThermalCurve> repeats(const TrainingSet &set)
 {
     std::vector<ThermalCurve> curves;
     for (const auto &run : set.runs) {
         if (set.runs.size() > 1) {
-            curves.push_back(cellsOf(*run, 0, run->deltaT.size()));
+            curves.push_back(run->curve.coarsened(kCellFactor));
             continue;
         }
         for (const Sweep &sweep : sweepsOf(*run))
-            curves.push_back(cellsOf(*run, sweep.first, sweep.last));
+            curves.push_back(curveOf(*run, sweep).coarsened(kCellFactor));
     }
     return curves;
 }
@@ -105,7 +94,7 @@ void splitVariance(Repeatability &result, const std::map<std::int64_t, CellMeans
 // One-way analysis of variance: what the means of the cells vary by beyond the noise of so many samples.
 Eigen::Vector3d varianceOverTemperature(const RunFeatures &run)
 {
-    const ThermalCurve cells = cellsOf(run, 0, run.deltaT.size());
+    const ThermalCurve cells = run.curve.coarsened(kCellFactor);
     double total = 0.0;
     double occupied = 0.0;
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -121,7 +110,7 @@ Eigen::Vector3d varianceOverTemperature(const RunFeatures &run)
     if (total == 0.0)
         return Eigen::Vector3d::Zero();
     between -= sum.cwiseAbs2() / total;
-    return (between - (occupied - 1.0) * noiseFloor(run)) / total;
+    return (between - (occupied - 1.0) * run.curve.coarsened(kFloorFactor).pooledVariance()) / total;
 }
 
 } // namespace

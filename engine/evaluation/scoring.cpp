@@ -2,6 +2,7 @@
 
 #include "engine/base/axes.h"
 #include "engine/evaluation/allan.h"
+#include "engine/evaluation/tabulated_model.h"
 
 #include <algorithm>
 #include <cmath>
@@ -83,7 +84,7 @@ DeltaTRange trainedRange(const TrainingSet &set)
 
 Eigen::MatrixX3d predictHeld(const AnyModel &model, const Eigen::VectorXd &deltaT, DeltaTRange range)
 {
-    return predictAtDeltaT(model, deltaT.cwiseMax(range.lowest).cwiseMin(range.highest));
+    return predictThroughTable(model, deltaT.cwiseMax(range.lowest).cwiseMin(range.highest));
 }
 
 ModelScore scoreModel(const JudgedRun &run, const AnyModel &model, DeltaTRange range)

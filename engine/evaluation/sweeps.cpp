@@ -40,4 +40,16 @@ std::vector<Sweep> sweepsOf(const RunFeatures &run)
     return sweeps;
 }
 
+ThermalCurve curveOf(const RunFeatures &run, const Sweep &sweep)
+{
+    if (sweep.first == 0 && sweep.last == run.deltaT.size())
+        return run.curve;
+    ThermalCurve curve;
+    for (Eigen::Index i = sweep.first; i < sweep.last; ++i) {
+        if (run.usableForTraining[static_cast<std::size_t>(i)] != 0)
+            curve.add(run.deltaT[i], run.tdeDps.row(i).transpose());
+    }
+    return curve;
+}
+
 } // namespace driftbench

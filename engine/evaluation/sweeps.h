@@ -18,4 +18,7 @@ struct Sweep
 // 2 degrees; holds belong to the sweeps beside them. Together the sweeps are the whole run.
 std::vector<Sweep> sweepsOf(const RunFeatures &run);
 
+// The samples of one sweep that are usable for training.
+ThermalCurve curveOf(const RunFeatures &run, const Sweep &sweep);
+
 } // namespace driftbench
