@@ -35,6 +35,8 @@ struct CampaignSummary
     std::vector<RunFacts> runs;
 };
 
+// An array as "rows" in comparison.json.
+std::string rowsToJson(const std::vector<ComparisonRow> &rows);
 std::string comparisonToJson(const Comparison &comparison, const CampaignSummary &campaign);
 std::string comparisonToCsv(const Comparison &comparison);
 std::string comparisonToMarkdown(const Comparison &comparison, const CampaignSummary &campaign);

@@ -157,6 +157,11 @@ std::string comparisonToJson(const Comparison &comparison, const CampaignSummary
     return dumped(json);
 }
 
+std::string rowsToJson(const std::vector<ComparisonRow> &rows)
+{
+    return dumped(rowsJson(rows));
+}
+
 std::string recommendationToJson(const Comparison &comparison)
 {
     return dumped(verdictsJson(comparison));

@@ -30,20 +30,22 @@ RunFeatures makeRunFeatures(const Run &run, double referenceTemperatureC)
     features.deltaT.resize(usable);
     features.tdeDps.resize(usable, 3);
     features.usableForTraining.reserve(static_cast<std::size_t>(usable));
+    std::vector<Eigen::Index> trainingRows;
+    trainingRows.reserve(static_cast<std::size_t>(usable));
     Eigen::Index row = 0;
     for (Eigen::Index i = 0; i < recording.size(); ++i) {
         if (!run.mask.usableForJudging(i))
             continue;
         features.timeS[row] = recording.timeS[i];
         features.deltaT[row] = recording.temperatureC[i] - referenceTemperatureC;
-        const Eigen::Vector3d tdeDps = recording.rateDps.row(i).transpose() - run.referenceRateDps;
-        features.tdeDps.row(row) = tdeDps.transpose();
+        features.tdeDps.row(row) = recording.rateDps.row(i) - run.referenceRateDps.transpose();
         const bool train = run.mask.usableForTraining(i);
         features.usableForTraining.push_back(train ? 1 : 0);
         if (train)
-            features.curve.add(features.deltaT[row], tdeDps);
+            trainingRows.push_back(row);
         ++row;
     }
+    features.curve.add(features.deltaT(trainingRows), features.tdeDps(trainingRows, Eigen::all));
     return features;
 }
 

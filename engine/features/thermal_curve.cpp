@@ -30,10 +30,15 @@ ThermalCell &ThermalCurve::cellAt(std::int64_t key)
     return m_cells[index];
 }
 
+std::int64_t ThermalCurve::keyOf(double deltaT) const
+{
+    return static_cast<std::int64_t>(std::floor(deltaT / m_cellWidthC + 0.5));
+}
+
 void ThermalCurve::add(double deltaT, const Eigen::Vector3d &tdeDps)
 {
     assert(std::abs(deltaT) <= kLargestDeltaT);
-    ThermalCell &cell = cellAt(static_cast<std::int64_t>(std::floor(deltaT / m_cellWidthC + 0.5)));
+    ThermalCell &cell = cellAt(keyOf(deltaT));
     cell.count += 1.0;
     cell.sumQuantities += temperatureQuantities(deltaT);
     cell.sumTdeDps += tdeDps;
@@ -42,6 +47,10 @@ void ThermalCurve::add(double deltaT, const Eigen::Vector3d &tdeDps)
 
 void ThermalCurve::add(const Eigen::VectorXd &deltaT, const Eigen::MatrixX3d &tdeDps)
 {
+    if (deltaT.size() == 0)
+        return;
+    // A falling temperature would put one cell after the other before all that are there: make room once.
+    cellAt(keyOf(deltaT.minCoeff()));
     for (Eigen::Index i = 0; i < deltaT.size(); ++i)
         add(deltaT[i], Eigen::Vector3d(tdeDps(i, 0), tdeDps(i, 1), tdeDps(i, 2)));
 }

@@ -69,6 +69,7 @@ public:
     Eigen::Vector3d pooledVariance() const;
 
 private:
+    std::int64_t keyOf(double deltaT) const;
     ThermalCell &cellAt(std::int64_t key);
 
     double m_cellWidthC;

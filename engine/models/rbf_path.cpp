@@ -24,7 +24,10 @@ Eigen::MatrixXd basisAt(const Eigen::MatrixXd &z, int forcedColumns, const Eigen
     for (Eigen::Index j = 0; j < widths.size(); ++j) {
         const double precision = -0.5 / (widths[j] * widths[j]);
         basis.col(forcedColumns + j) =
-            ((z.rowwise() - centres.row(j)).rowwise().squaredNorm().array() * precision).exp();
+            (((z.col(0).array() - centres(j, 0)).square() + (z.col(1).array() - centres(j, 1)).square() +
+              (z.col(2).array() - centres(j, 2)).square()) *
+             precision)
+                .exp();
     }
     return basis;
 }
