@@ -36,7 +36,7 @@ struct RecipeOptions
     int threads = 0;
 };
 
-// "constant", "linear", "cubic" (as PX4), "cubic-ardupilot", "bpnn", "rbf-paper", "rbf"; simplest first.
+// "constant", "linear", "cubic" (as PX4), "cubic-ardupilot", "bpnn", "rbf-paper", "rbf".
 const std::vector<std::string> &knownModelNames();
 // What `fit` trains unless told otherwise: all but "cubic-ardupilot".
 const std::vector<std::string> &defaultModelNames();

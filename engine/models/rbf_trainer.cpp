@@ -74,7 +74,8 @@ FoldLosses foldLosses(const RbfPath &path, const ThermalCurve &heldOut, bool rem
     return losses;
 }
 
-// The smallest number of centres whose loss is within a paired standard error of the lowest mean loss.
+// The smallest number of centres whose loss is within a paired standard error of the lowest mean loss. Two
+// folds give no standard error worth the name (one degree of freedom); there the lowest loss itself decides.
 int chooseNumber(const std::vector<FoldLosses> &folds, int axis, int most)
 {
     const auto count = static_cast<double>(folds.size());
@@ -93,7 +94,7 @@ int chooseNumber(const std::vector<FoldLosses> &folds, int axis, int most)
             const double deviation = fold.heldOut(k, axis) - fold.heldOut(lowest, axis) - difference;
             squares += deviation * deviation;
         }
-        const double standardError = count > 1.0 ? std::sqrt(squares / (count - 1.0) / count) : 0.0;
+        const double standardError = count > 2.0 ? std::sqrt(squares / (count - 1.0) / count) : 0.0;
         if (difference <= std::max(standardError, kNegligibleLoss))
             return k;
     }

@@ -16,8 +16,8 @@ std::filesystem::path scratchFolder();
 
 } // namespace driftbench::test
 
-// Leaves the test function with a skip that names the missing file; else `path` names it.
-#define REQUIRE_SHARED_DATA(path, relative)                                                                  \
-    const std::filesystem::path path = driftbench::test::sharedData() / (relative);                          \
-    if (driftbench::test::sharedData().empty() || !std::filesystem::exists(path))                            \
+// Leaves the test function with a skip that names the missing file; else `variable` names it.
+#define REQUIRE_SHARED_DATA(variable, relative)                                                              \
+    const std::filesystem::path variable = driftbench::test::sharedData() / (relative);                      \
+    if (driftbench::test::sharedData().empty() || !std::filesystem::exists(variable))                        \
     QSKIP(qPrintable(QStringLiteral("the shared data folder has no ") + QString::fromUtf8(relative)))
