@@ -9,7 +9,7 @@ namespace driftbench::quality {
 
 namespace {
 
-// TRAINING.md A.1
+// Width of the blocks and distance in robust sigmas: docs/method.md, section 4.
 constexpr std::size_t kBlockSamples = 51;
 constexpr double kSigmas = 5.0;
 

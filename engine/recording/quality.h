@@ -6,7 +6,7 @@
 //
 // Checks, in this order: values that are no numbers; time going backwards, duplicates, gaps; ranges excluded
 // by the user; start-up; saturation; temperature faults and stairs; motion; bias steps; outliers of the noise
-// (TRAINING.md A.1); enough samples, span and duration; drift that is not there.
+// (docs/method.md, section 4); enough samples, span and duration; drift that is not there.
 #pragma once
 
 #include "engine/base/result.h"

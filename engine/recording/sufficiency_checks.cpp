@@ -10,8 +10,8 @@ namespace {
 
 // A temperature that varies less than this is constant: the scatter of a thermometer, not a sweep.
 constexpr double kConstantC = 0.5;
-// TRAINING.md B: no drift if the variance of the 1 degree cell means, noise removed, is at most this part of
-// the variance within the cells.
+// docs/method.md, section 6: no drift if the variance of the 1 degree cell means, noise removed, is at most
+// this part of the variance within the cells.
 constexpr double kNoDriftPart = 0.02;
 constexpr double kFewestInCell = 8.0;
 
