@@ -12,6 +12,7 @@
 namespace driftbench {
 
 static constexpr int kColumns = 420;
+static constexpr double kLastRowStretch = 1.28; // room for the time below it
 
 TcqTimeView::TcqTimeView(const Palette &look, QWidget *parent)
     : PlotView(tr("Temperature quantities and drift error over time"), look, parent)
@@ -92,6 +93,7 @@ void TcqTimeView::build()
         auto *notes = new PanelNotes(&rect, look());
         notes->setMarginLabels({});
     }
+    grid.setRowStretchFactor(2, kLastRowStretch);
 }
 
 } // namespace driftbench
