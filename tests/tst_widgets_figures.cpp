@@ -34,6 +34,7 @@ private slots:
     void everyView_withoutData_saysSo();
     void everyView_onePoint_draws();
     void everyView_extremeAndMissingValues_draws();
+    void everyView_valuesBeyondTheRange_stayInThePanel();
     void everyView_dark_isDark();
     void saveFigure_eachEnding_writesThatFormat();
     void saveFigure_unknownEnding_isRefused();
@@ -315,6 +316,31 @@ void TestWidgetsFigures::everyView_extremeAndMissingValues_draws()
                  qPrintable(view->accessibleName()));
         QVERIFY(coloursOf(figureAsImage(*view, view->figureSize())) > 5);
     }
+}
+
+// Vector files have no clipping to rely on: coordinates themselves must stay in the picture.
+void TestWidgetsFigures::everyView_valuesBeyondTheRange_stayInThePanel()
+{
+    TcqScatterData data = scatterData(0);
+    for (ModelCurve &curve : data.curves)
+        curve.tdeDps *= 50.0;
+    data.curves.push_back(data.curves.front());
+    data.curves.front() = modelCurve(test::syntheticRbf());
+    data.excludedDeltaT = Eigen::VectorXd::LinSpaced(50, 0.0, 100.0);
+    data.excludedTdeDps = Eigen::MatrixX3d::Constant(50, 3, 40.0);
+    data.band->curveHalfWidthDps *= 100.0;
+    TcqScatterView view;
+    view.setData(data);
+    const QString svg = svgOf(view);
+    static const QRegularExpression kPair(
+        QStringLiteral("(-?[0-9.]+(?:e[+-]?[0-9]+)?),(-?[0-9.]+(?:e[+-]?[0-9]+)?)[ L\"]"));
+    int pairs = 0;
+    for (auto match = kPair.globalMatch(svg); match.hasNext(); ++pairs) {
+        const auto pair = match.next();
+        const double y = pair.captured(2).toDouble();
+        QVERIFY2(y >= -1.0 && y <= view.figureSize().height() + 1.0, qPrintable(pair.captured(0)));
+    }
+    QVERIFY(pairs > 1000);
 }
 
 void TestWidgetsFigures::everyView_dark_isDark()

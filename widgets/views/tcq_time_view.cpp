@@ -44,8 +44,6 @@ static void drawStrip(QCPAxisRect &rect, const Strip &strip, const Eigen::Vector
 {
     const auto trace =
         envelope(timeS, strip.values, timeS[0], timeS[timeS.size() - 1], kColumns, scale.secondsPerUnit);
-    addRange(rect, trace.key, trace.low, trace.high, strip.fill);
-    addLine(rect, trace.key, trace.mean, strip.line);
     Extent extent;
     for (qsizetype i = 0; i < trace.key.size(); ++i) {
         extent.include(trace.low[i]);
@@ -53,6 +51,8 @@ static void drawStrip(QCPAxisRect &rect, const Strip &strip, const Eigen::Vector
     }
     rect.axis(QCPAxis::atLeft)->setRange(extent.padded());
     rect.axis(QCPAxis::atLeft)->setLabel(strip.title);
+    addRange(rect, trace.key, trace.low, trace.high, strip.fill);
+    addLine(rect, trace.key, trace.mean, strip.line);
 }
 
 void TcqTimeView::build()
