@@ -13,11 +13,13 @@ namespace driftbench {
 static constexpr int kDpi = 96;
 static constexpr double kPointsPerInch = 72.0;
 
-static void paintFigure(PlotView &view, QPaintDevice &device, const QSize &size, bool vector)
+// Also for pictures of pixels: QCustomPlot otherwise draws lines of 1 px as one device pixel, too thin at
+// twice the size.
+static void paintFigure(PlotView &view, QPaintDevice &device, const QSize &size)
 {
     QCPPainter painter;
     painter.begin(&device);
-    painter.setMode(QCPPainter::pmVectorized, vector);
+    painter.setMode(QCPPainter::pmVectorized, true);
     painter.setMode(QCPPainter::pmNoCaching, true);
     painter.fillRect(QRect(QPoint(0, 0), size), view.look().base);
     view.plot().toPainter(&painter, size.width(), size.height());
@@ -36,7 +38,7 @@ QByteArray figureAsSvg(PlotView &view, const QSize &size, const FigureText &text
     generator.setViewBox(QRect(QPoint(0, 0), size));
     generator.setTitle(text.title);
     generator.setDescription(text.description);
-    paintFigure(view, generator, size, true);
+    paintFigure(view, generator, size);
     return bytes;
 }
 
@@ -52,7 +54,7 @@ QByteArray figureAsPdf(PlotView &view, const QSize &size, const FigureText &text
     writer.setPageMargins(QMarginsF(0, 0, 0, 0));
     writer.setTitle(text.title);
     writer.setCreator(QStringLiteral("Driftbench"));
-    paintFigure(view, writer, size, true);
+    paintFigure(view, writer, size);
     return bytes;
 }
 
@@ -60,7 +62,7 @@ QImage figureAsImage(PlotView &view, const QSize &size, double pixelRatio)
 {
     QImage image(size * pixelRatio, QImage::Format_RGB32);
     image.setDevicePixelRatio(pixelRatio);
-    paintFigure(view, image, size, false);
+    paintFigure(view, image, size);
     return image;
 }
 

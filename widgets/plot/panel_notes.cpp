@@ -1,10 +1,10 @@
 #include "widgets/plot/panel_notes.h"
 
+#include "widgets/plot/label_places.h"
 #include "widgets/style/fonts.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace driftbench {
 
@@ -37,6 +37,7 @@ void PanelNotes::setNote(const QString &note)
 
 void PanelNotes::setMarginLabels(std::vector<MarginLabel> labels)
 {
+    std::erase_if(labels, [](const MarginLabel &label) { return !std::isfinite(label.value); });
     m_labels = std::move(labels);
     makeRoom();
 }
@@ -52,49 +53,6 @@ void PanelNotes::makeRoom()
     m_rect->setMinimumMargins(QMargins(0, top, right, 0));
 }
 
-std::vector<double> pushedApart(const std::vector<double> &wanted, double distance, double low, double high)
-{
-    std::vector<std::size_t> order(wanted.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return wanted[a] < wanted[b]; });
-    // Blocks of labels that touch; each stands where the mean of its members wants it.
-    struct Block
-    {
-        double sumOfFirst = 0.0; // of where each member would have the block's first label
-        std::size_t members = 0;
-        double first(double span, double lowest, double highest) const
-        {
-            return std::max(lowest, std::min(sumOfFirst / static_cast<double>(members), highest - span));
-        }
-    };
-    std::vector<Block> blocks;
-    const auto firstOf = [&](const Block &block) {
-        return block.first(distance * static_cast<double>(block.members - 1), low, high);
-    };
-    for (const std::size_t index : order) {
-        blocks.push_back({wanted[index], 1});
-        while (blocks.size() > 1) {
-            Block &upper = blocks[blocks.size() - 2];
-            const Block lower = blocks.back();
-            const double end = firstOf(upper) + distance * static_cast<double>(upper.members);
-            if (firstOf(lower) >= end)
-                break;
-            upper.sumOfFirst +=
-                lower.sumOfFirst - distance * static_cast<double>(upper.members * lower.members);
-            upper.members += lower.members;
-            blocks.pop_back();
-        }
-    }
-    std::vector<double> places(wanted.size());
-    auto next = order.begin();
-    for (const Block &block : blocks) {
-        for (std::size_t k = 0; k < block.members; ++k)
-            places[*next++] = firstOf(block) + distance * static_cast<double>(k);
-    }
-    return places;
-}
-
 void PanelNotes::drawMarginLabels(QCPPainter &painter) const
 {
     const QCPAxis *axis = m_rect->axis(QCPAxis::atLeft);
@@ -106,8 +64,6 @@ void PanelNotes::drawMarginLabels(QCPPainter &painter) const
     const auto places = pushedApart(wanted, kLabelDistance, panel.top(), panel.bottom());
     for (std::size_t i = 0; i < m_labels.size(); ++i) {
         const MarginLabel &label = m_labels[i];
-        if (!std::isfinite(label.value))
-            continue;
         const double left = panel.right() + 1.0;
         const double half = kLeadLength / 2.0;
         painter.setPen(label.pen);

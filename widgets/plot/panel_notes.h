@@ -29,7 +29,7 @@ public:
     // Both make room above the panel.
     void setName(const QString &name);
     void setNote(const QString &note);
-    // Makes room right of the panel.
+    // Makes room right of the panel. Labels whose value is not finite are left out.
     void setMarginLabels(std::vector<MarginLabel> labels);
 
     double selectTest(const QPointF &, bool, QVariant *) const override { return -1.0; }
@@ -48,9 +48,5 @@ private:
     QString m_note;
     std::vector<MarginLabel> m_labels;
 };
-
-// Where labels at the wanted heights go so that no two are closer than `distance`, each as near to its own
-// height as that allows, all within low..high as far as they fit. The order of the wanted heights is kept.
-std::vector<double> pushedApart(const std::vector<double> &wanted, double distance, double low, double high);
 
 } // namespace driftbench

@@ -45,11 +45,14 @@ void applyPlotStyle(QCPAxisRect &rect, const Palette &palette)
     for (QCPAxis *axis : rect.axes()) {
         const bool shown = axis->axisType() == QCPAxis::atLeft || axis->axisType() == QCPAxis::atBottom;
         axis->setVisible(shown);
+        axis->setLayer(QStringLiteral("axes"));
+        axis->grid()->setLayer(QStringLiteral("grid"));
         if (shown)
             styleAxis(*axis, palette);
     }
-    rect.axis(QCPAxis::atLeft)->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker(4)));
+    rect.axis(QCPAxis::atLeft)->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker));
     rect.axis(QCPAxis::atBottom)->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker(5)));
+    rect.setLayer(QStringLiteral("background")); // else its background would hide the grid
     rect.setBackground(QBrush(palette.base));
 }
 

@@ -11,6 +11,7 @@ namespace driftbench {
 static constexpr int kRowSpacing = 8;
 static constexpr int kColumnSpacing = 8;
 static constexpr int kPlotMargin = 12;
+static constexpr double kFirstColumnStretch = 1.13; // room for the numbers left of the first column
 
 PlotView::PlotView(const QString &accessibleName, const Palette &look, QWidget *parent)
     : QWidget(parent), m_look(look), m_plot(new QCustomPlot(this))
@@ -65,8 +66,9 @@ void PlotView::addLegend(std::vector<LegendEntry> entries)
     rows->addElement(rows->rowCount(), 0, new LegendElement(m_plot, std::move(entries), m_look));
 }
 
-QCPLayoutGrid &PlotView::addPanels()
+QCPLayoutGrid &PlotView::addPanels(bool sharedValues)
 {
+    m_sharedValues = sharedValues;
     QCPLayoutGrid *rows = m_plot->plotLayout();
     auto *grid = new QCPLayoutGrid;
     rows->addElement(rows->rowCount(), 0, grid);
@@ -81,7 +83,11 @@ QCPAxisRect &PlotView::addPanel(QCPLayoutGrid &grid, int row, int column)
     auto *rect = new QCPAxisRect(m_plot);
     grid.addElement(row, column, rect);
     applyPlotStyle(*rect, m_look);
-    rect->setMarginGroup(QCP::msLeft | QCP::msRight, m_marginGroups.back());
+    if (!m_sharedValues || column == 0)
+        rect->setMarginGroup(QCP::msLeft, m_marginGroups.back());
+    if (m_sharedValues && column == 0)
+        grid.setColumnStretchFactor(0, kFirstColumnStretch);
+    rect->setMarginGroup(QCP::msRight, m_marginGroups.back());
     return *rect;
 }
 

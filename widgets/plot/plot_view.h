@@ -43,7 +43,9 @@ protected:
     // For build(): rows of the plot from top to bottom.
     void showEmpty(const QString &headline, const QString &sentence);
     void addLegend(std::vector<LegendEntry> entries);
-    QCPLayoutGrid &addPanels(); // all panels of one call share their margins by column side
+    // Panels of one call share their right margins, and their left ones too unless only the first column has
+    // numbers on its left axis (sharedValues): then that column is wider instead.
+    QCPLayoutGrid &addPanels(bool sharedValues = false);
     QCPAxisRect &addPanel(QCPLayoutGrid &grid, int row, int column);
 
 private:
@@ -53,6 +55,7 @@ private:
     QCustomPlot *m_plot;
     std::vector<QCPMarginGroup *> m_marginGroups;
     bool m_empty = true;
+    bool m_sharedValues = false; // of the panels being added
 };
 
 } // namespace driftbench

@@ -1,10 +1,65 @@
 #include "widgets/plot/series.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 namespace driftbench {
 
+// QSvgGenerator of Qt 6.4 ignores clip paths: what leaves the panel must be cut here. The part of a..b inside
+// the rectangle (Liang & Barsky 1984); nothing if there is none.
+static std::optional<QLineF> clipped(const QLineF &line, const QRectF &inside)
+{
+    double first = 0.0;
+    double last = 1.0;
+    const std::array<std::pair<double, double>, 4> edges{{{-line.dx(), line.x1() - inside.left()},
+                                                          {line.dx(), inside.right() - line.x1()},
+                                                          {-line.dy(), line.y1() - inside.top()},
+                                                          {line.dy(), inside.bottom() - line.y1()}}};
+    for (const auto &[step, distance] : edges) {
+        if (step == 0.0 && distance < 0.0)
+            return std::nullopt;
+        if (step < 0.0)
+            first = std::max(first, distance / step);
+        else if (step > 0.0)
+            last = std::min(last, distance / step);
+    }
+    if (!(first <= last))
+        return std::nullopt;
+    return QLineF(line.pointAt(first), line.pointAt(last));
+}
+
 namespace {
+
+class LineGraph : public QCPGraph
+{
+public:
+    using QCPGraph::QCPGraph;
+
+protected:
+    void drawLinePlot(QCPPainter *painter, const QVector<QPointF> &lines) const override
+    {
+        if (!painter->modes().testFlag(QCPPainter::pmVectorized)) {
+            QCPGraph::drawLinePlot(painter, lines);
+            return;
+        }
+        const QRectF inside(clipRect());
+        QVector<QPointF> visible;
+        for (qsizetype i = 1; i < lines.size(); ++i) {
+            const auto piece = clipped(QLineF(lines[i - 1], lines[i]), inside);
+            if (!piece || visible.isEmpty() || visible.last() != piece->p1()) {
+                QCPGraph::drawLinePlot(painter, visible);
+                visible.clear();
+                if (piece)
+                    visible.append(piece->p1());
+            }
+            if (piece)
+                visible.append(piece->p2());
+        }
+        QCPGraph::drawLinePlot(painter, visible);
+    }
+};
 
 class DotGraph : public QCPGraph
 {
@@ -22,7 +77,10 @@ protected:
     {
         applyScattersAntialiasingHint(painter);
         QPainterPath path;
+        const QRectF inside(clipRect());
         for (const QPointF &place : scatters) {
+            if (!inside.contains(place))
+                continue;
             const QPointF rounded(std::round(place.x() * 10.0) / 10.0, std::round(place.y() * 10.0) / 10.0);
             path.moveTo(rounded);
             path.lineTo(rounded + QPointF(0.1, 0.0)); // a line of no length is not drawn by every viewer
@@ -50,9 +108,16 @@ static QCPAxis *valueAxisOf(QCPAxisRect &rect)
 
 void addLine(QCPAxisRect &rect, const QVector<double> &keys, const QVector<double> &values, const QPen &pen)
 {
-    auto *graph = new QCPGraph(keyAxisOf(rect), valueAxisOf(rect));
+    auto *graph = new LineGraph(keyAxisOf(rect), valueAxisOf(rect));
     graph->setPen(pen);
     graph->setData(keys, values);
+}
+
+static QVector<double> within(QVector<double> values, const QCPRange &range)
+{
+    for (double &value : values)
+        value = std::isnan(value) ? value : std::clamp(value, range.lower, range.upper);
+    return values;
 }
 
 void addRange(QCPAxisRect &rect, const QVector<double> &keys, const QVector<double> &low,
@@ -62,8 +127,8 @@ void addRange(QCPAxisRect &rect, const QVector<double> &keys, const QVector<doub
     auto *upper = new QCPGraph(keyAxisOf(rect), valueAxisOf(rect));
     lower->setPen(Qt::NoPen);
     upper->setPen(Qt::NoPen);
-    lower->setData(keys, low, true);
-    upper->setData(keys, high, true);
+    lower->setData(keys, within(low, valueAxisOf(rect)->range()), true);
+    upper->setData(keys, within(high, valueAxisOf(rect)->range()), true);
     upper->setBrush(fill);
     upper->setChannelFillGraph(lower);
 }

@@ -8,7 +8,8 @@ namespace driftbench {
 // Values that are not finite break the line.
 void addLine(QCPAxisRect &rect, const QVector<double> &keys, const QVector<double> &values, const QPen &pen);
 
-// Opaque fill between low and high, without an outline.
+// Opaque fill between low and high, without an outline; set the range of the value axis before, it is cut
+// there.
 void addRange(QCPAxisRect &rect, const QVector<double> &keys, const QVector<double> &low,
               const QVector<double> &high, const QColor &fill);
 

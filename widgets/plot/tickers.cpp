@@ -10,6 +10,7 @@ namespace driftbench {
 
 static constexpr double kLargestPlain = 1e8;
 static constexpr int kMostDecimals = 6;
+static constexpr double kFreedom = 0.7; // steps may be this much smaller than the wanted number of ticks asks
 
 // The fewest decimals that write every multiple of step exactly.
 static int decimalsOfStep(double step)
@@ -24,7 +25,13 @@ static int decimalsOfStep(double step)
 
 double NumberTicker::getTickStep(const QCPRange &range)
 {
-    m_step = QCPAxisTicker::getTickStep(range);
+    const double wanted = kFreedom * range.size() / tickCount();
+    const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
+    m_step = 10.0 * decade;
+    for (const double mantissa : {5.0, 2.0, 1.0}) {
+        if (mantissa * decade >= wanted)
+            m_step = mantissa * decade;
+    }
     m_decimals = decimalsOfStep(m_step);
     return m_step;
 }
@@ -32,7 +39,7 @@ double NumberTicker::getTickStep(const QCPRange &range)
 QString NumberTicker::getTickLabel(double tick, const QLocale &locale, QChar, int)
 {
     if (std::abs(tick) < 1e-9 * m_step)
-        return QStringLiteral("0");
+        tick = 0.0;
     if (std::abs(tick) >= kLargestPlain || m_step < std::pow(10.0, -kMostDecimals))
         return powerText(tick, 1, locale);
     return numberText(tick, m_decimals, locale);

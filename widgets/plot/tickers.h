@@ -6,7 +6,8 @@
 
 namespace driftbench {
 
-// Linear axis. Beyond 99 999 999 or below 1e-6 a step, ticks read "2.5×10⁷".
+// Linear axis, steps of 1, 2 or 5 times a power of ten. Beyond 99 999 999 or below 1e-6 a step, ticks read
+// "2.5×10⁷".
 class NumberTicker : public QCPAxisTicker
 {
 public:

@@ -1,7 +1,7 @@
 // The colours of the workbench by role, light and dark. Position says the axis, colour says the role: the
 // same role has the same colour in every view. Text stands at 5:1 or better on every surface it may stand on,
-// lines and dots of data at 3.4:1 or better on the plot (WCAG 2 relative luminance); range fills and excluded
-// dots are faint on purpose.
+// lines and dots of data at 3.4:1 (rounded) or better on the plot (WCAG 2 relative luminance); range fills
+// and excluded dots are faint on purpose.
 #pragma once
 
 #include <QColor>

@@ -12,6 +12,10 @@
 
 namespace driftbench {
 
+// Over more than this the averaging times end where the data end, not at whole decades.
+static constexpr double kFreeEndsFrom = 100.0;
+static constexpr double kFreeEnd = 1.15;
+
 AllanView::AllanView(const Palette &look, QWidget *parent)
     : PlotView(tr("Allan deviation before and after compensation"), look, parent)
 {
@@ -78,12 +82,14 @@ void AllanView::build()
     const QPen after = rolePen(Role::Compensated, look());
     addLegend({{LegendEntry::Kind::Line, tr("Before"), before, {}},
                {LegendEntry::Kind::Line, tr("After, %1").arg(m_data.afterText), after, {}}});
-    QCPLayoutGrid &grid = addPanels();
+    QCPLayoutGrid &grid = addPanels(true);
     for (int axis = 0; axis < kAxisCount; ++axis) {
         QCPAxisRect &rect = addPanel(grid, 0, axis);
         QCPAxis &bottom = *rect.axis(QCPAxis::atBottom);
         QCPAxis &left = *rect.axis(QCPAxis::atLeft);
         applyLogScale(bottom, tau.low(), tau.high());
+        if (tau.high() > kFreeEndsFrom * tau.low())
+            bottom.setRange(tau.low() / kFreeEnd, tau.high() * kFreeEnd);
         applyLogScale(left, deviation.low(), deviation.high());
         bottom.setLabel(tr("Averaging time τ (s)"));
         left.setLabel(tr("σ(τ) (dps)"));

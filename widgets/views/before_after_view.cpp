@@ -6,6 +6,7 @@
 #include "widgets/plot/panel_notes.h"
 #include "widgets/plot/plot_style.h"
 #include "widgets/plot/series.h"
+#include "widgets/plot/tickers.h"
 #include "widgets/style/number_text.h"
 #include "widgets/style/role_pens.h"
 
@@ -14,6 +15,8 @@
 namespace driftbench {
 
 static constexpr int kColumns = 840;
+static constexpr int kRateTicks = 4; // the strips are low
+static constexpr int kTemperatureTicks = 3;
 
 BeforeAfterView::BeforeAfterView(const Palette &look, QWidget *parent)
     : PlotView(tr("Rates before and after compensation"), look, parent)
@@ -136,6 +139,9 @@ void BeforeAfterView::build()
         applyTimeScale(bottom, scale, tr("Time since start"));
         if (row + 1 < rows)
             hideAxisText(bottom);
+        rect.axis(QCPAxis::atLeft)
+            ->setTicker(
+                QSharedPointer<QCPAxisTicker>(new NumberTicker(row < 3 ? kRateTicks : kTemperatureTicks)));
         if (row < 3)
             drawAxis(rect, row);
         else

@@ -76,7 +76,7 @@ void CentresView::buildLosses()
     if (losses.empty())
         losses.include(1.0);
     const double lowest = std::max(losses.low(), losses.high() * std::pow(10.0, -kMostDecadesOfLoss));
-    QCPLayoutGrid &grid = addPanels();
+    QCPLayoutGrid &grid = addPanels(true);
     for (int axis = 0; axis < kAxisCount; ++axis) {
         const auto a = static_cast<std::size_t>(axis);
         QCPAxisRect &rect = addPanel(grid, 0, axis);

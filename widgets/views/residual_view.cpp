@@ -58,7 +58,7 @@ void ResidualView::drawMeans(QCPAxisRect &rect, int axis) const
     }
 }
 
-void ResidualView::drawBand(QCPAxisRect &rect, int axis) const
+void ResidualView::drawBand(QCPAxisRect &rect, int axis, bool filled) const
 {
     QVector<double> temperature, low, high;
     for (Eigen::Index b = 0; b < m_data.band->temperatureC.size(); ++b) {
@@ -69,7 +69,12 @@ void ResidualView::drawBand(QCPAxisRect &rect, int axis) const
         low.append(-half);
         high.append(half);
     }
-    addRange(rect, temperature, low, high, look().border);
+    if (filled) {
+        addRange(rect, temperature, low, high, look().border);
+    } else {
+        addLine(rect, temperature, low, referencePen(look()));
+        addLine(rect, temperature, high, referencePen(look()));
+    }
 }
 
 void ResidualView::build()
@@ -86,7 +91,8 @@ void ResidualView::build()
         for (const auto *group : {&dots[axis].heating, &dots[axis].cooling, &dots[axis].excluded}) {
             for (qsizetype i = 0; i < group->deltaT.size(); ++i) {
                 temperature.include(group->deltaT[i] + m_data.referenceTemperatureC);
-                extents[axis].include(group->valueDps[i]);
+                if (group != &dots[axis].excluded) // a start-up spike must not press the rest flat
+                    extents[axis].include(group->valueDps[i]);
             }
         }
         extents[axis].include(0.0);
@@ -101,16 +107,13 @@ void ResidualView::build()
     const bool same = widest.high() - widest.low() <= kSameSpanUpTo * narrowest;
 
     using Kind = LegendEntry::Kind;
-    std::vector<LegendEntry> entries{
-        {Kind::Dot, tr("Heating"), QPen(Qt::NoPen), look().heating},
-        {Kind::Dot, tr("Cooling"), QPen(Qt::NoPen), look().cooling},
-        {Kind::Dot, tr("Excluded"), QPen(Qt::NoPen), look().excluded},
-        {Kind::Line, tr("Mean over 1 °C, each run"), QPen(look().text, 1.0), {}}};
+    std::vector<LegendEntry> entries = dotLegend(dots.front(), look());
+    entries.push_back({Kind::Line, tr("Mean over 1 °C, each run"), QPen(look().text, 1.0), {}});
     if (m_data.band)
         entries.push_back(
-            {Kind::Range, tr("95 % band of a new run's curve"), QPen(Qt::NoPen), look().border});
+            {Kind::Range, tr("95 % band of a new run's curve"), referencePen(look()), look().border});
     addLegend(std::move(entries));
-    QCPLayoutGrid &grid = addPanels();
+    QCPLayoutGrid &grid = addPanels(same);
     for (int axis = 0; axis < kAxisCount; ++axis) {
         const auto a = static_cast<std::size_t>(axis);
         QCPAxisRect &rect = addPanel(grid, 0, axis);
@@ -122,13 +125,15 @@ void ResidualView::build()
         if (axis > 0 && same)
             hideAxisText(value);
         const double reference = m_data.referenceTemperatureC;
+        if (m_data.band)
+            drawBand(rect, axis, true);
         addDots(rect, shifted(dots[a].excluded.deltaT, reference), dots[a].excluded.valueDps,
                 look().excluded);
         addDots(rect, shifted(dots[a].heating.deltaT, reference), dots[a].heating.valueDps, look().heating);
         addDots(rect, shifted(dots[a].cooling.deltaT, reference), dots[a].cooling.valueDps, look().cooling);
-        if (m_data.band)
-            drawBand(rect, axis);
         addHorizontal(rect, 0.0, QPen(look().axisLine, 1.0));
+        if (m_data.band)
+            drawBand(rect, axis, false);
         drawMeans(rect, axis);
         (new PanelNotes(&rect, look()))->setName(QString::fromUtf8(kAxisNames[a].data()));
     }

@@ -36,7 +36,7 @@ protected:
 
 private:
     void drawMeans(QCPAxisRect &rect, int axis) const;
-    void drawBand(QCPAxisRect &rect, int axis) const;
+    void drawBand(QCPAxisRect &rect, int axis, bool filled) const; // filled, or its edges
 
     ResidualData m_data;
 };

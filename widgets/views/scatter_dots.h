@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/features/run_features.h"
+#include "widgets/plot/legend_element.h"
 
 #include <QVector>
 
@@ -25,10 +26,13 @@ struct ScatterDots
     }
 };
 
-inline constexpr Eigen::Index kMostDots = 4000; // a panel
+inline constexpr Eigen::Index kMostDots = 4000; // a panel, excluded ones aside
 
 // valuesDps[r]: as many values as runs[r] has samples. Pairs that are not finite are left out.
 ScatterDots scatterDots(const std::vector<std::shared_ptr<const RunFeatures>> &runs,
                         const std::vector<Eigen::VectorXd> &valuesDps, Eigen::Index most = kMostDots);
+
+// Entries for the groups that have dots.
+std::vector<LegendEntry> dotLegend(const ScatterDots &dots, const Palette &palette);
 
 } // namespace driftbench

@@ -70,7 +70,8 @@ static void includeDots(const ScatterDots &dots, Extent &deltaT, Extent &values)
     for (const ScatterDots::Group *group : {&dots.heating, &dots.cooling, &dots.excluded}) {
         for (qsizetype i = 0; i < group->deltaT.size(); ++i) {
             deltaT.include(group->deltaT[i]);
-            values.include(group->valueDps[i]);
+            if (group != &dots.excluded) // a start-up spike must not press the rest flat
+                values.include(group->valueDps[i]);
         }
     }
 }
@@ -127,12 +128,10 @@ static QCPRange quantityRange(const Extent &deltaT, int quantity)
     return extent.padded(0.03);
 }
 
-void TcqScatterView::addLegendRow()
+void TcqScatterView::addLegendRow(const ScatterDots &dots)
 {
     using Kind = LegendEntry::Kind;
-    std::vector<LegendEntry> entries{{Kind::Dot, tr("Heating"), QPen(Qt::NoPen), look().heating},
-                                     {Kind::Dot, tr("Cooling"), QPen(Qt::NoPen), look().cooling},
-                                     {Kind::Dot, tr("Excluded"), QPen(Qt::NoPen), look().excluded}};
+    std::vector<LegendEntry> entries = dotLegend(dots, look());
     for (std::size_t i = 0; i < m_data.curves.size(); ++i) {
         const ModelCurve &curve = m_data.curves[i];
         const QString label = modelLabel(curve.name);
@@ -162,8 +161,8 @@ void TcqScatterView::build()
     includeDots(left, deltaT, leftExtent);
     leftExtent.include(0.0);
 
-    addLegendRow();
-    QCPLayoutGrid &grid = addPanels();
+    addLegendRow(tde);
+    QCPLayoutGrid &grid = addPanels(true);
     const QString axisName = QString::fromUtf8(kAxisNames[static_cast<std::size_t>(m_data.axis)].data());
     const std::array<QString, 3> titles{tr("ΔT (°C)"), tr("ΔT² (°C²)"), tr("√ΔT (√°C)")};
     for (int row = 0; row < (hasCurve ? 2 : 1); ++row) {

@@ -14,6 +14,8 @@
 
 namespace driftbench {
 
+struct ScatterDots;
+
 struct TcqScatterData
 {
     int axis = 0; // 0, 1, 2: x, y, z
@@ -42,7 +44,7 @@ protected:
     void build() override;
 
 private:
-    void addLegendRow();
+    void addLegendRow(const ScatterDots &dots);
 
     TcqScatterData m_data;
 };

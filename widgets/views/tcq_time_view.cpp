@@ -12,6 +12,7 @@
 namespace driftbench {
 
 static constexpr int kColumns = 420;
+static constexpr double kLastRowStretch = 1.28; // room for the time below it
 
 TcqTimeView::TcqTimeView(const Palette &look, QWidget *parent)
     : PlotView(tr("Temperature quantities and drift error over time"), look, parent)
@@ -43,8 +44,6 @@ static void drawStrip(QCPAxisRect &rect, const Strip &strip, const Eigen::Vector
 {
     const auto trace =
         envelope(timeS, strip.values, timeS[0], timeS[timeS.size() - 1], kColumns, scale.secondsPerUnit);
-    addRange(rect, trace.key, trace.low, trace.high, strip.fill);
-    addLine(rect, trace.key, trace.mean, strip.line);
     Extent extent;
     for (qsizetype i = 0; i < trace.key.size(); ++i) {
         extent.include(trace.low[i]);
@@ -52,6 +51,8 @@ static void drawStrip(QCPAxisRect &rect, const Strip &strip, const Eigen::Vector
     }
     rect.axis(QCPAxis::atLeft)->setRange(extent.padded());
     rect.axis(QCPAxis::atLeft)->setLabel(strip.title);
+    addRange(rect, trace.key, trace.low, trace.high, strip.fill);
+    addLine(rect, trace.key, trace.mean, strip.line);
 }
 
 void TcqTimeView::build()
@@ -92,6 +93,7 @@ void TcqTimeView::build()
         auto *notes = new PanelNotes(&rect, look());
         notes->setMarginLabels({});
     }
+    grid.setRowStretchFactor(2, kLastRowStretch);
 }
 
 } // namespace driftbench

@@ -1,0 +1,15 @@
+// index.html of a report: verdicts in words, the table of the comparison, and all figures with their
+// captions.
+#pragma once
+
+#include "app/report/figure_list.h"
+#include "app/report/report_data.h"
+#include "widgets/style/palette.h"
+
+#include <QString>
+
+namespace driftbench {
+
+QString indexPage(const ReportData &data, const std::vector<WrittenFigure> &figures, const Palette &look);
+
+} // namespace driftbench

@@ -1,0 +1,77 @@
+// driftbench-report: the figures of a fit, as SVG, PDF, PNG and one page that shows them all. Needs no
+// display.
+#include "app/report/figure_list.h"
+#include "app/report/index_page.h"
+#include "app/report/report_data_loader.h"
+#include "engine/base/atomic_file.h"
+#include "widgets/style/palette.h"
+
+#include <CLI/CLI.hpp>
+#include <QApplication>
+#include <QLocale>
+
+#include <cstdio>
+#include <filesystem>
+#include <string>
+
+namespace driftbench {
+
+static Status writeReport(const std::filesystem::path &fit, const std::filesystem::path &report,
+                          const Palette &look)
+{
+    const auto data = loadReportData(fit);
+    if (!data)
+        return data.error();
+    if (const Status folder = ensureWritableFolder(report); !folder)
+        return folder;
+    const auto figures = writeFigures(*data, look, report);
+    if (!figures)
+        return figures.error();
+    const QByteArray page = indexPage(*data, *figures, look).toUtf8();
+    const Status written = writeFileAtomically(
+        report / "index.html", std::string_view(page.constData(), static_cast<std::size_t>(page.size())));
+    if (!written)
+        return written;
+    for (const std::string &warning : data->warnings)
+        std::fprintf(stderr, "driftbench-report: %s\n", warning.c_str());
+    std::printf("%zu figures in %s\n", figures->size(), (report / "index.html").string().c_str());
+    return {};
+}
+
+} // namespace driftbench
+
+int main(int argc, char **argv)
+{
+    using namespace driftbench;
+    CLI::App app("Draws the figures of a fit as SVG, PDF and PNG, with an index.html that shows them all.",
+                 "driftbench-report");
+    app.footer("Example:\n"
+               "  driftbench-cli fit run1.csv run2.csv run3.csv --out fit\n"
+               "  driftbench-report fit --out report\n"
+               "Exit status: 0, or the number of the error as listed for driftbench-cli.");
+    std::string fit;
+    std::string report;
+    bool dark = false;
+    app.add_option("DIR", fit, "Folder that `driftbench-cli fit --out` wrote")->required();
+    app.add_option("--out", report, "Folder for the report; made if it is not there")->required();
+    app.add_flag("--dark", dark, "Dark figures");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::CallForHelp &help) {
+        return app.exit(help);
+    } catch (const CLI::ParseError &problem) {
+        std::fprintf(stderr, "driftbench-report: %s; see --help.\n", problem.what());
+        return static_cast<int>(Errc::InvalidOption);
+    }
+
+    if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    const QApplication application(argc, argv);
+    QLocale::setDefault(QLocale::c());
+    const Status status = writeReport(fit, report, dark ? darkPalette() : lightPalette());
+    if (!status) {
+        std::fprintf(stderr, "driftbench-report: %s\n", status.error().message.c_str());
+        return static_cast<int>(status.error().code);
+    }
+    return 0;
+}

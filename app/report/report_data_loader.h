@@ -1,0 +1,16 @@
+// Reads what `driftbench-cli fit` left in a folder, and the runs that it was made from.
+#pragma once
+
+#include "app/report/report_data.h"
+#include "engine/base/result.h"
+
+#include <filesystem>
+
+namespace driftbench {
+
+// folder: comparison.json, models/<name>.json, held-out/<run>/<model>.json. The files of the runs are looked
+// for as written, then relative to the folder. A held-out model that is missing only costs its figures and
+// leaves a warning; all else that is missing or damaged is an error.
+Result<ReportData> loadReportData(const std::filesystem::path &folder);
+
+} // namespace driftbench
