@@ -1,9 +1,8 @@
 #include "app/report/report_data_loader.h"
 
+#include "app/campaign/campaign_request.h"
 #include "app/report/report_json.h"
-#include "engine/formats/log_reader.h"
 #include "engine/models/model_file.h"
-#include "engine/recording/quality.h"
 
 #include <algorithm>
 
@@ -34,14 +33,6 @@ static Result<std::map<std::string, TrainedModel>> loadModels(const std::filesys
     return models;
 }
 
-static std::filesystem::path runFile(const std::filesystem::path &folder, const std::string &file)
-{
-    std::error_code code;
-    const std::filesystem::path asWritten(file);
-    return asWritten.is_relative() && !std::filesystem::exists(asWritten, code) ? folder / asWritten
-                                                                                : asWritten;
-}
-
 static void keepExcluded(const Run &run, double referenceTemperatureC, ReportRun &kept)
 {
     const Recording &recording = *run.recording;
@@ -60,37 +51,43 @@ static void keepExcluded(const Run &run, double referenceTemperatureC, ReportRun
     }
 }
 
-// What the fit accepted is drawn, also where it had to be told to accept it.
-static QualityOptions lenient(const std::string &name)
+// The runs as the fit read, checked and referred them.
+static Status loadRuns(const std::filesystem::path &folder, ReportData &data)
 {
-    QualityOptions options;
-    options.name = name;
-    options.maskBadRows = true;
-    options.allowSmallSpan = true;
-    options.allowShort = true;
-    return options;
+    auto request = loadRequest(folder / "request.json");
+    if (!request)
+        return request.error();
+    request->referenceTemperatureC = data.referenceTemperatureC;
+    const auto loaded = loadCampaign(*request);
+    if (!loaded)
+        return loaded.error();
+    if (loaded->campaign.sensor.known())
+        data.sensor = loaded->campaign.sensor.text();
+    for (std::size_t i = 0; i < loaded->campaign.runs.size(); ++i) {
+        const Run &run = loaded->campaign.runs[i];
+        ReportRun kept;
+        kept.features = loaded->features.runs[i];
+        kept.referenceRateDps = run.referenceRateDps;
+        keepExcluded(run, data.referenceTemperatureC, kept);
+        data.runs.push_back(std::move(kept));
+    }
+    return {};
 }
 
-static Result<ReportRun> loadRun(const std::filesystem::path &folder, const ComparisonFile::RunEntry &entry,
-                                 ReportData &data)
+static Status loadHeldOut(const std::filesystem::path &folder, ReportData &data)
 {
-    ReadOptions options;
-    if (entry.format != logFormatName(LogFormat::Csv)) // a table holds one sensor and has no numbers for it
-        options.instance = entry.instance;
-    auto recording = readLog(runFile(folder, entry.file), options);
-    if (!recording)
-        return recording.error();
-    if (data.sensor.empty() && recording->info.sensor.known())
-        data.sensor = recording->info.sensor.text();
-    auto run = prepareRun(std::move(*recording), lenient(entry.name));
-    if (!run)
-        return run.error();
-    run->referenceRateDps = entry.referenceRateDps;
-    ReportRun loaded;
-    loaded.features = std::make_shared<const RunFeatures>(makeRunFeatures(*run, data.referenceTemperatureC));
-    loaded.referenceRateDps = entry.referenceRateDps;
-    keepExcluded(*run, data.referenceTemperatureC, loaded);
-    return loaded;
+    for (const ReportRun &run : data.runs) {
+        const std::string &name = run.features->name;
+        auto heldOut = loadModels(folder / "held-out" / name);
+        if (!heldOut)
+            return heldOut.error();
+        if (heldOut->empty())
+            data.warnings.push_back(
+                "Run " + name + " has no model that was trained without it, so it is not shown compensated.");
+        else
+            data.heldOut.emplace(name, std::move(*heldOut));
+    }
+    return {};
 }
 
 Result<ReportData> loadReportData(const std::filesystem::path &folder)
@@ -110,21 +107,10 @@ Result<ReportData> loadReportData(const std::filesystem::path &folder)
     if (!models)
         return models.error();
     data.models = std::move(*models);
-    for (const auto &entry : file->runs) {
-        auto run = loadRun(folder, entry, data);
-        if (!run)
-            return run.error();
-        data.runs.push_back(std::move(*run));
-        auto heldOut = loadModels(folder / "held-out" / entry.name);
-        if (!heldOut)
-            return heldOut.error();
-        if (heldOut->empty())
-            data.warnings.push_back(
-                "Run " + entry.name +
-                " has no model that was trained without it, so it is not shown compensated.");
-        else
-            data.heldOut.emplace(entry.name, std::move(*heldOut));
-    }
+    if (Status runs = loadRuns(folder, data); !runs)
+        return runs.error();
+    if (Status heldOut = loadHeldOut(folder, data); !heldOut)
+        return heldOut.error();
     return data;
 }
 

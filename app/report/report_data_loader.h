@@ -8,8 +8,8 @@
 
 namespace driftbench {
 
-// folder: comparison.json, models/<name>.json, held-out/<run>/<model>.json. The files of the runs are looked
-// for as written, then relative to the folder. A held-out model that is missing only costs its figures and
+// folder: comparison.json, request.json (which runs, read how), models/<name>.json,
+// held-out/<run>/<model>.json. A held-out model that is missing only costs its figures and
 // leaves a warning; all else that is missing or damaged is an error.
 Result<ReportData> loadReportData(const std::filesystem::path &folder);
 

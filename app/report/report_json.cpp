@@ -31,19 +31,6 @@ static int axisOf(const json &value)
     return -1;
 }
 
-static ComparisonFile::RunEntry runOf(const json &object)
-{
-    ComparisonFile::RunEntry run;
-    run.name = object.at("name").get<std::string>();
-    run.file = object.at("file").get<std::string>();
-    run.format = object.at("format").get<std::string>();
-    run.instance = object.at("instance").get<int>();
-    for (int axis = 0; axis < kAxisCount; ++axis)
-        run.referenceRateDps[axis] =
-            object.at("reference_rate_dps").at(static_cast<std::size_t>(axis)).get<double>();
-    return run;
-}
-
 static ComparisonRow rowOf(const json &object)
 {
     ComparisonRow row;
@@ -100,8 +87,6 @@ static ComparisonFile comparisonOf(const json &document)
     file.simulated = document.at("simulated").get<bool>();
     file.judging = document.at("judging").get<std::string>();
     file.referenceTemperatureC = document.at("reference_temperature_C").get<double>();
-    for (const json &run : document.at("runs"))
-        file.runs.push_back(runOf(run));
     for (const json &row : document.at("rows"))
         file.rows.push_back(rowOf(row));
     for (const json &verdict : document.at("verdicts")) {

@@ -1,7 +1,6 @@
-// What comparison.json says: runs, rows, verdicts, and the choice of the number of centres.
+// What comparison.json says: rows, verdicts, and the choice of the number of centres.
 //
 //   { "simulated", "judging", "reference_temperature_C",
-//     "runs": [{ "name", "file", "format", "instance", "reference_rate_dps": [x, y, z] }],
 //     "verdicts": [{ "axis", "verdict", "model", "gain", "gain_model_free", "reason" }],
 //     "rbf_selection": { "left_out_runs",
 //                        "x": { "chosen", "held_out_loss": [..], "training_loss": [..] }, "y", "z" } or null,
@@ -24,19 +23,9 @@ namespace driftbench {
 
 struct ComparisonFile
 {
-    struct RunEntry
-    {
-        std::string name;
-        std::string file;
-        std::string format; // as RecordingInfo::format
-        int instance = 0;   // of the sensors in the log
-        Eigen::Vector3d referenceRateDps = Eigen::Vector3d::Zero();
-    };
-
     bool simulated = false;
     std::string judging;
     double referenceTemperatureC = 0.0;
-    std::vector<RunEntry> runs;
     std::vector<ComparisonRow> rows;
     std::array<AxisVerdict, 3> verdicts;
     std::optional<RbfSelection> rbfSelection;
