@@ -1,7 +1,7 @@
 // Errors that input, device or data can cause are values: Result<T> holds either a T or an Error.
 //
 // An Error carries a code, by which programs decide, and one sentence for the user: what, where (file, line,
-// byte), what to do. Each code is also the exit status of driftbench-cli (docs/exit-codes in README).
+// byte), what to do. Each code is also the exit status of driftbench-cli (README.md).
 #pragma once
 
 #include <cassert>
