@@ -6,7 +6,7 @@
 #include "engine/base/axes.h"
 #include "engine/exports/cubic_refit.h"
 #include "engine/exports/export_model.h"
-#include "support/random_models.h"
+#include "support/models_for_export.h"
 
 #include <QMap>
 #include <QTest>

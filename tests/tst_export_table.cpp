@@ -3,7 +3,7 @@
 #include "engine/exports/export_model.h"
 #include "engine/exports/table_csv.h"
 #include "engine/exports/table_json.h"
-#include "support/random_models.h"
+#include "support/models_for_export.h"
 #include "support/test_data.h"
 
 #include <QFile>

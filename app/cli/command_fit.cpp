@@ -3,7 +3,10 @@
 #include "app/cli/log_options.h"
 #include "app/cli/progress_line.h"
 #include "engine/base/atomic_file.h"
+#include "engine/base/axes.h"
+#include "engine/base/text.h"
 #include "engine/evaluation/comparison.h"
+#include "engine/evaluation/dynamic_experiment.h"
 #include "engine/exports/comparison_files.h"
 #include "engine/models/model_file.h"
 
@@ -20,6 +23,7 @@ struct FitArguments
     CampaignRequest request;
     ComparisonOptions comparison;
     std::string out;
+    bool dynamic = false;
     bool json = false;
 };
 
@@ -80,6 +84,34 @@ Status writeAll(const FitArguments &arguments, const LoadedCampaign &loaded, con
     return writeComparisonFiles(comparison, summaryOf(loaded), folder);
 }
 
+nlohmann::ordered_json dynamicToJson(const std::vector<DynamicOutcome> &outcomes)
+{
+    auto list = nlohmann::ordered_json::array();
+    for (const DynamicOutcome &outcome : outcomes) {
+        list.push_back({{"run", outcome.run},
+                        {"axis", std::string(kAxisNames[static_cast<std::size_t>(outcome.axis)])},
+                        {"msd_static", outcome.msdStatic},
+                        {"msd_dynamic", outcome.msdDynamic},
+                        {"noise_floor", outcome.noiseFloor},
+                        {"lag_time_constant_s", outcome.lagTimeConstantS},
+                        {"dps_per_C_per_s", outcome.dpsPerCPerS},
+                        {"dps_per_lag_C", outcome.dpsPerLagC}});
+    }
+    return list;
+}
+
+std::string dynamicToText(const std::vector<DynamicOutcome> &outcomes)
+{
+    std::string text =
+        "\nExperiment: rbf with dT/dt and a lag added, MSD on held-out runs in dps^2. Not exported.\n";
+    for (const DynamicOutcome &outcome : outcomes) {
+        text += "  " + outcome.run + " " + std::string(kAxisNames[static_cast<std::size_t>(outcome.axis)]) +
+                "  " + fixed(outcome.msdStatic, 6) + " -> " + fixed(outcome.msdDynamic, 6) + "  (lag " +
+                fixed(outcome.lagTimeConstantS, 0) + " s)\n";
+    }
+    return text;
+}
+
 Status fit(const FitArguments &arguments)
 {
     // A folder that can't be written to should not cost the user a training.
@@ -101,9 +133,24 @@ Status fit(const FitArguments &arguments)
     printWarnings("", comparison->warnings);
     if (Status written = writeAll(arguments, *loaded, *comparison); !written)
         return written;
+    std::vector<DynamicOutcome> dynamic;
+    if (arguments.dynamic) {
+        auto outcomes = dynamicExperiment(*comparison);
+        if (!outcomes)
+            return outcomes.error();
+        dynamic = *std::move(outcomes);
+        if (Status written =
+                writeFileAtomically(std::filesystem::path(arguments.out) / "dynamic_experiment.json",
+                                    dynamicToJson(dynamic).dump(2) + "\n");
+            !written)
+            return written;
+    }
     if (!arguments.json)
-        return printResult(recommendationToText(*comparison));
+        return printResult(recommendationToText(*comparison) +
+                           (dynamic.empty() ? "" : dynamicToText(dynamic)));
     auto json = nlohmann::ordered_json::parse(comparisonToJson(*comparison, summaryOf(*loaded)));
+    if (arguments.dynamic)
+        json["dynamic_experiment"] = dynamicToJson(dynamic);
     json["timings_s"] = {{"read", std::chrono::duration<double>(read - start).count()},
                          {"compare", std::chrono::duration<double>(compared - read).count()}};
     return printJson(json);
@@ -143,6 +190,9 @@ void addFitCommand(CLI::App &program, Invocation &invocation)
         ->allow_extra_args(false);
     addJudgeOption(*command, arguments->comparison.judging);
     addSeedOption(*command, arguments->comparison.seed);
+    command->add_flag(
+        "--dynamic", arguments->dynamic,
+        "Experiment: would dT/dt and a lag help rbf on held-out runs? Reported, never exported");
     addJsonOption(*command, arguments->json);
     command->callback([arguments, &invocation] { invocation.run = [arguments] { return fit(*arguments); }; });
 }
