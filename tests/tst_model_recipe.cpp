@@ -3,6 +3,9 @@
 
 #include <QTest>
 
+#include <map>
+#include <string>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -15,7 +18,7 @@ class TestModelRecipe : public QObject
 
 private slots:
     void names_defaults_areKnown();
-    void modelRecipes_everyName_simplestFirst();
+    void modelRecipes_everyName_ranksSimplicity();
     void modelRecipes_unknownName_listsTheKnown();
     void fit_everyRecipe_modelAndFiguresPerAxis();
     void fit_nothingUsable_saysSo();
@@ -43,15 +46,20 @@ void TestModelRecipe::names_defaults_areKnown()
             defaultModelNames().end());
 }
 
-void TestModelRecipe::modelRecipes_everyName_simplestFirst()
+void TestModelRecipe::modelRecipes_everyName_ranksSimplicity()
 {
     const auto recipes = modelRecipes(knownModelNames(), {});
     QVERIFY(recipes.ok());
     QCOMPARE(recipes->size(), knownModelNames().size());
+    std::map<int, std::string> ranked;
     for (std::size_t i = 0; i < recipes->size(); ++i) {
         QCOMPARE((*recipes)[i].name, knownModelNames()[i]);
-        QVERIFY(i == 0 || (*recipes)[i].complexity > (*recipes)[i - 1].complexity);
+        ranked.emplace((*recipes)[i].complexity, (*recipes)[i].name);
     }
+    const std::map<int, std::string> expected{
+        {0, "constant"}, {1, "linear"},    {2, "cubic"}, {3, "cubic-ardupilot"},
+        {4, "rbf"},      {5, "rbf-paper"}, {6, "bpnn"}};
+    QVERIFY(ranked == expected);
 }
 
 void TestModelRecipe::modelRecipes_unknownName_listsTheKnown()

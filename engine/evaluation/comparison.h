@@ -21,7 +21,7 @@ namespace driftbench {
 struct ComparisonOptions
 {
     std::vector<std::string> models = defaultModelNames();
-    std::vector<std::string> holdOut; // names of runs; empty: leave one run out
+    std::vector<std::string> holdOut{}; // names of runs; empty: leave one run out
     Judging judging = Judging::Absolute;
     std::uint64_t seed = 1;
     int threads = 0;
@@ -65,7 +65,7 @@ struct Comparison
 // What of the campaign goes into the models besides its features.
 struct CampaignFacts
 {
-    SensorIdentity sensor;
+    SensorIdentity sensor{};
     bool simulated = false;
 };
 

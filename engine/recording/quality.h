@@ -40,18 +40,18 @@ struct MotionOptions
 
 struct QualityOptions
 {
-    std::string name;                // of the run; empty: the file name without its ending
-    std::vector<TimeRange> excluded; // taken out by the user
-    bool maskBadRows = false;        // rows with bad values or times are masked instead of refused
-    bool allowSmallSpan = false;     // go on with a temperature span under smallestSpanC
-    bool allowShort = false;         // go on with less than shortestS
+    std::string name{};                // of the run; empty: the file name without its ending
+    std::vector<TimeRange> excluded{}; // taken out by the user
+    bool maskBadRows = false;          // rows with bad values or times are masked instead of refused
+    bool allowSmallSpan = false;       // go on with a temperature span under smallestSpanC
+    bool allowShort = false;           // go on with less than shortestS
     Eigen::Index fewestSamples = 10;
     double shortestS = 60.0;
     double smallestSpanC = 10.0;
     double advisedSpanC = 25.0;
     double gapFactor = 5.0;          // a gap is longer than this many median intervals
     double coarseTemperatureC = 0.9; // temperature in steps of at least this is interpolated
-    MotionOptions motion;
+    MotionOptions motion{};
 };
 
 struct CheckedRun

@@ -50,9 +50,7 @@ struct SimulatedCampaign
 
 SimulationOptions optionsFor(const char *truth, std::uint64_t seed)
 {
-    SimulationOptions options;
-    options.profile = *TemperatureProfile::named("paper");
-    options.truth = *namedDriftCurves(truth);
+    SimulationOptions options{*TemperatureProfile::named("paper"), *namedDriftCurves(truth)};
     options.seed = seed;
     return options;
 }

@@ -61,4 +61,3 @@ void plainCopyFloat(benchmark::State &state)
 
 BENCHMARK(plainCopyFloat)->Arg(1 << 16)->Arg(1 << 20)->Arg(1 << 23);
 BENCHMARK(tableApplyFloat)->Arg(1 << 16)->Arg(1 << 20)->Arg(1 << 23);
-

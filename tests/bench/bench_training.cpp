@@ -14,9 +14,7 @@ namespace {
 const std::vector<Recording> &recordings()
 {
     static const std::vector<Recording> all = [] {
-        SimulationOptions options;
-        options.profile = *TemperatureProfile::named("paper");
-        options.truth = *namedDriftCurves("curved");
+        const SimulationOptions options{*TemperatureProfile::named("paper"), *namedDriftCurves("curved")};
         std::vector<Recording> made;
         for (int run = 0; run < 5; ++run)
             made.push_back(*simulateRun(options, run));

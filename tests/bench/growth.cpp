@@ -14,9 +14,7 @@ using namespace driftbench;
 int main(int argc, char **argv)
 {
     const long long most = argc > 1 ? std::atoll(argv[1]) : 100'000'000;
-    SimulationOptions options;
-    options.profile = *TemperatureProfile::named("paper");
-    options.truth = *namedDriftCurves("curved");
+    const SimulationOptions options{*TemperatureProfile::named("paper"), *namedDriftCurves("curved")};
     std::printf("%12s %10s %14s %12s\n", "samples", "seconds", "samples/s", "peak MB");
     for (long long wanted = most / 100; wanted <= most; wanted *= 10) {
         const auto start = std::chrono::steady_clock::now();
