@@ -21,6 +21,7 @@ using namespace driftbench;
 namespace {
 
 constexpr int kRuns = 5;
+constexpr int kFreshRuns = 40; // true curves of further runs, on which the band is judged
 
 struct Figures
 {
@@ -44,8 +45,8 @@ struct Figures
 struct SimulatedCampaign
 {
     TrainingSet set;
-    std::vector<DriftTable> truths; // of each run, over temperature
-    DriftTable freshTruth;          // of a run that nobody trains on
+    std::vector<DriftTable> truths;      // of each run, over temperature
+    std::vector<DriftTable> freshTruths; // of runs that nobody trains on
 };
 
 SimulationOptions optionsFor(const char *truth, std::uint64_t seed)
@@ -69,8 +70,10 @@ SimulatedCampaign simulate(const SimulationOptions &options)
         campaign.runs.push_back(*std::move(prepared));
     }
     const double reference = chooseReferenceTemperature(campaign, std::nullopt);
-    return {makeTrainingSet(campaign, reference), std::move(truths),
-            GyroSimulator::create(options, kRuns)->truth()};
+    std::vector<DriftTable> fresh;
+    for (int run = kRuns; run < kRuns + kFreshRuns; ++run)
+        fresh.push_back(GyroSimulator::create(options, run)->truth());
+    return {makeTrainingSet(campaign, reference), std::move(truths), std::move(fresh)};
 }
 
 // Mean square of prediction - true curve of the held-out run over its samples, per axis, in noise variances.
@@ -150,7 +153,8 @@ void runTruth(const char *truth, std::uint64_t firstSeed, int seeds)
         }
         const auto rbf = std::find_if(comparison->models.begin(), comparison->models.end(),
                                       [](const TrainedModel &model) { return model.name == "rbf"; });
-        coverage += coverageOf(*rbf, campaign.freshTruth) / seeds;
+        for (const DriftTable &fresh : campaign.freshTruths)
+            coverage += coverageOf(*rbf, fresh) / (seeds * kFreshRuns);
     }
     std::printf("%s: error on held-out runs, %% of the noise variance, x/y/z, mean (worst seed)\n", truth);
     oracle.print("oracle");
