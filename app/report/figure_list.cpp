@@ -30,6 +30,8 @@ public:
     {
         if (!m_status.ok() || view.isEmpty())
             return;
+        if (m_simulated)
+            view.setOrigin(QStringLiteral("Simulated data"));
         const QString origin = m_simulated ? QStringLiteral(" Simulated data.") : QString();
         for (const char *ending : {".svg", ".pdf", ".png"}) {
             m_status = saveFigure(view, m_folder / (stem + ending), {title, caption + origin});

@@ -31,6 +31,12 @@ void PlotView::setLook(const Palette &look)
     rebuild();
 }
 
+void PlotView::setOrigin(const QString &origin)
+{
+    m_origin = origin;
+    rebuild();
+}
+
 void PlotView::clearPlot()
 {
     m_plot->clearPlottables();
@@ -63,6 +69,8 @@ void PlotView::showEmpty(const QString &headline, const QString &sentence)
 void PlotView::addLegend(std::vector<LegendEntry> entries)
 {
     QCPLayoutGrid *rows = m_plot->plotLayout();
+    if (rows->elementCount() == 0 && !m_origin.isEmpty())
+        entries.push_back({LegendEntry::Kind::Heading, m_origin, QPen(Qt::NoPen), {}});
     rows->addElement(rows->rowCount(), 0, new LegendElement(m_plot, std::move(entries), m_look));
 }
 

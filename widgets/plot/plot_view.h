@@ -28,6 +28,9 @@ public:
     const Palette &look() const { return m_look; }
     void setLook(const Palette &look);
 
+    // Where the data come from, where that must be said: "Simulated data". Stands in the legend.
+    void setOrigin(const QString &origin);
+
     bool isEmpty() const { return m_empty; } // shows a sentence instead of data
     QCustomPlot &plot() const { return *m_plot; }
     virtual QSize figureSize() const = 0; // in px at 96 dpi, for pictures in reports
@@ -54,6 +57,7 @@ private:
     Palette m_look;
     QCustomPlot *m_plot;
     std::vector<QCPMarginGroup *> m_marginGroups;
+    QString m_origin;
     bool m_empty = true;
     bool m_sharedValues = false; // of the panels being added
 };
