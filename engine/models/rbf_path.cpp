@@ -1,5 +1,6 @@
 #include "engine/models/rbf_path.h"
 
+#include "engine/models/orthogonal_selection.h"
 #include "engine/models/rbf_candidates.h"
 #include "engine/models/run_alignment.h"
 
@@ -11,8 +12,6 @@ namespace driftbench {
 namespace {
 
 constexpr double kGridRows = 512.0;
-// A candidate that is left with less than this part of its squared length adds nothing but rounding errors.
-constexpr double kSmallestNewPart = 1e-6;
 
 // 1, the first standardised TCQs, and after them the Gaussians of the path, at standardised rows.
 Eigen::MatrixXd basisAt(const Eigen::MatrixXd &z, int forcedColumns, const Eigen::MatrixX3d &centres,
@@ -31,93 +30,6 @@ Eigen::MatrixXd basisAt(const Eigen::MatrixXd &z, int forcedColumns, const Eigen
     }
     return basis;
 }
-
-// Orthogonal least squares, column by column. Rows are scaled by sqrt(n), targets by 1 / sigma of their axis.
-class OrthogonalSelection
-{
-public:
-    OrthogonalSelection(Eigen::MatrixXd candidates, Eigen::MatrixX3d targets, int mostColumns, double ridge)
-        : m_candidates(std::move(candidates))
-        , m_targets(std::move(targets))
-        , m_ridge(ridge)
-        , m_orthonormal(m_targets.rows(), mostColumns)
-        , m_triangle(Eigen::MatrixXd::Zero(mostColumns, mostColumns))
-        , m_coefficients(mostColumns, 3)
-        , m_length(m_candidates.colwise().squaredNorm().transpose())
-        , m_rest(m_length)
-        , m_product(m_candidates.transpose() * m_targets)
-    {
-    }
-
-    // Takes the column in unless it depends on those that are; forced columns are not shrunk.
-    bool take(const Eigen::VectorXd &column, bool forced)
-    {
-        Eigen::VectorXd rest = column;
-        const auto basis = m_orthonormal.leftCols(m_columns);
-        Eigen::VectorXd along = basis.transpose() * rest;
-        rest -= basis * along;
-        const Eigen::VectorXd again = basis.transpose() * rest; // the second pass removes what rounding left
-        rest -= basis * again;
-        along += again;
-        const double square = rest.squaredNorm();
-        if (!(square > kSmallestNewPart * column.squaredNorm()) &&
-            !(forced && square > 1e-20 * column.squaredNorm()))
-            return false;
-        const double length = std::sqrt(square);
-        m_triangle.col(m_columns).head(m_columns) = along;
-        m_triangle(m_columns, m_columns) = length;
-        m_orthonormal.col(m_columns) = rest / length;
-        const Eigen::RowVector3d projection = m_orthonormal.col(m_columns).transpose() * m_targets;
-        m_coefficients.row(m_columns) = projection * (forced ? 1.0 : square / (square + m_ridge));
-        removeFromCandidates(m_orthonormal.col(m_columns), projection);
-        ++m_columns;
-        return true;
-    }
-
-    // The candidate that explains most, summed over the axes; -1 if none has anything new.
-    Eigen::Index best() const
-    {
-        Eigen::Index winner = -1;
-        double most = 0.0;
-        for (Eigen::Index j = 0; j < m_rest.size(); ++j) {
-            if (m_rest[j] <= kSmallestNewPart * m_length[j])
-                continue;
-            const double explained = m_product.row(j).squaredNorm() / (m_rest[j] + m_ridge);
-            if (explained > most) {
-                most = explained;
-                winner = j;
-            }
-        }
-        return winner;
-    }
-
-    const Eigen::MatrixXd &candidates() const { return m_candidates; }
-    void strike(Eigen::Index candidate) { m_rest[candidate] = 0.0; }
-    Eigen::Index columns() const { return m_columns; }
-    Eigen::MatrixXd triangle() const { return m_triangle.topLeftCorner(m_columns, m_columns); }
-    Eigen::MatrixX3d coefficients() const { return m_coefficients.topRows(m_columns); }
-
-private:
-    void removeFromCandidates(const Eigen::VectorXd &direction, const Eigen::RowVector3d &projection)
-    {
-        if (m_candidates.cols() == 0)
-            return;
-        const Eigen::VectorXd along = m_candidates.transpose() * direction;
-        m_rest -= along.cwiseAbs2();
-        m_product -= along * projection;
-    }
-
-    Eigen::MatrixXd m_candidates; // N x M
-    Eigen::MatrixX3d m_targets;   // N x 3
-    double m_ridge;
-    Eigen::MatrixXd m_orthonormal;
-    Eigen::MatrixXd m_triangle;
-    Eigen::MatrixX3d m_coefficients;
-    Eigen::VectorXd m_length; // squared, of the candidates as they are
-    Eigen::VectorXd m_rest;   // squared, of their orthogonal parts
-    Eigen::MatrixX3d m_product;
-    Eigen::Index m_columns = 0;
-};
 
 void keepPick(RbfPath &path, const RbfCandidates &candidates, Eigen::Index pick)
 {
