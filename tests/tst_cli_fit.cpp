@@ -201,7 +201,9 @@ void TestCliFit::fit_numbersOfRuns_areSaidInTheBand()
     QCOMPARE(outcome.output.contains("Warning: "), !says.isEmpty());
     QVERIFY2(outcome.output.contains(says), outcome.output.constData());
     const Json comparison = jsonOf(out() + "/comparison.json");
-    QCOMPARE(comparison["band"]["runs"].get<int>(), count);
+    QCOMPARE(comparison["band"].is_null(), count == 1);
+    if (count > 1)
+        QCOMPARE(comparison["band"]["runs"].get<int>(), count);
     QCOMPARE(comparison["warnings"].empty(), says.isEmpty());
     for (const auto &verdict : comparison["verdicts"])
         QCOMPARE(verdict["verdict"].get<std::string>(), std::string(count == 1 ? "with care" : "yes"));
@@ -219,8 +221,9 @@ void TestCliFit::fit_holdOut_judgesOnlyThoseAndTrainsOnTheRest()
     QFETCH(bool, byFile);
     const QString indirect = m_campaign.path() + "/../" + QDir(m_campaign.path()).dirName() + "/run4.csv";
     const QStringList held = byFile ? QStringList{run(2), indirect} : QStringList{"run2", "run4"};
-    const Outcome outcome = fit(
-        runs(4), out(), {"--models", "constant,linear,rbf", "--hold-out", held[0], "--hold-out", held[1]});
+    const QStringList options{"--models", "constant,linear,rbf", "--reference-temperature", "-40"};
+    const Outcome outcome =
+        fit(runs(4), out(), options + QStringList{"--hold-out", held[0], "--hold-out", held[1]});
     QVERIFY2(outcome.exitCode == 0, outcome.errors.constData());
     const Json comparison = jsonOf(out() + "/comparison.json");
     QVERIFY(runsJudged(comparison) == std::set<std::string>({"run2", "run4"}));
@@ -232,7 +235,7 @@ void TestCliFit::fit_holdOut_judgesOnlyThoseAndTrainsOnTheRest()
         QVERIFY(jsonOf(out() + "/models/" + file)["trained_on"] == others);
     // The same as training on these two alone.
     const QString alone = m_folder->filePath("alone");
-    QCOMPARE(fit({run(1), run(3)}, alone, {"--models", "constant,linear,rbf"}).exitCode, 0);
+    QCOMPARE(fit({run(1), run(3)}, alone, options).exitCode, 0);
     for (const char *model : {"constant", "linear", "rbf"}) {
         const QString file = QString("/models/%1.json").arg(model);
         QVERIFY(jsonOf(out() + file)["parameters"] == jsonOf(alone + file)["parameters"]);

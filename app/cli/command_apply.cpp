@@ -70,7 +70,7 @@ Result<ModelRange> lookThrough(const ApplyArguments &arguments, const TrainedMod
 
 void printNotices(const ApplyArguments &arguments, const TrainedModel &model, const ModelRange &range)
 {
-    if (range.outside() > 0)
+    if (range.reachesBeyond())
         printNotice(range.notice(arguments.in));
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
         if (model.verdicts[axis] && *model.verdicts[axis] != Verdict::Yes) {

@@ -54,7 +54,7 @@ Status checkRange(const EvaluateArguments &arguments, const TrainedModel &model,
         const Eigen::VectorXd temperatureC = run->deltaT.array() + loaded.features.referenceTemperatureC;
         range.add(temperatureC);
         all.add(temperatureC);
-        if (range.outside() > 0)
+        if (range.reachesBeyond())
             notices.push_back(range.notice(run->name));
     }
     if (all.wholly() && !arguments.force)

@@ -6,6 +6,12 @@
 
 namespace driftbench::cli {
 
+namespace {
+
+constexpr double kThermometerNoiseC = 0.5;
+
+} // namespace
+
 void ModelRange::add(const Eigen::VectorXd &temperatureC)
 {
     for (const double t : temperatureC) {
@@ -16,6 +22,11 @@ void ModelRange::add(const Eigen::VectorXd &temperatureC)
         m_lowestC = std::min(m_lowestC, t);
         m_highestC = std::max(m_highestC, t);
     }
+}
+
+bool ModelRange::reachesBeyond() const
+{
+    return m_lowestC < m_trained[0] - kThermometerNoiseC || m_highestC > m_trained[1] + kThermometerNoiseC;
 }
 
 std::string ModelRange::trainedText() const

@@ -22,6 +22,7 @@ public:
     void add(const Eigen::VectorXd &temperatureC); // what is not finite does not count
 
     std::int64_t outside() const { return m_outside; }
+    bool reachesBeyond() const; // by more than what the noise of a thermometer does
     bool wholly() const { return m_samples > 0 && m_outside == m_samples; }
 
     // OutsideTrainedRange; what: the log or logs, "run1.csv".
