@@ -256,6 +256,11 @@ void TestBase::atomicFile_withoutCommit_keepsTheOldContent()
         QVERIFY(file->write("new"));
     }
     QCOMPARE(contentOf(path), std::string("old"));
+    {
+        auto file = AtomicFile::create(path);
+        QVERIFY(file && file->write("new") && file->prepare());
+    }
+    QCOMPARE(contentOf(path), std::string("old"));
     QVERIFY(writeFileAtomically(path, "new"));
     QCOMPARE(contentOf(path), std::string("new"));
     const auto files = std::distance(std::filesystem::directory_iterator(test::scratchFolder()), {});

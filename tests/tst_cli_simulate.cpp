@@ -1,5 +1,6 @@
 #include "engine/base/text.h"
 #include "engine/physics/gyro_simulator.h"
+#include "support/cli_process.h"
 #include "support/test_data.h"
 
 #include <QDir>
@@ -12,6 +13,7 @@
 #include <memory>
 
 using namespace driftbench;
+using namespace driftbench::test;
 
 class TestCliSimulate : public QObject
 {
@@ -34,7 +36,7 @@ private slots:
     void simulate_fullStandardOutput_isAnError();
     void simulate_interrupted_leavesNothing_data();
     void simulate_interrupted_leavesNothing();
-    void help_everyCommand_hasAnExample();
+    void help_everyCommand_fitsATerminalAndHasAnExample();
     void help_main_listsEveryExitCode();
 
 private:
@@ -44,51 +46,6 @@ private:
 };
 
 namespace {
-
-QString programPath()
-{
-    return QStringLiteral(DRIFTBENCH_BIN_DIR "/driftbench-cli");
-}
-
-struct Outcome
-{
-    int exitCode;
-    QByteArray output;
-    QByteArray errors;
-};
-
-Outcome finish(QProcess &process)
-{
-    if (!process.waitForFinished(60000))
-        qFatal("%s did not end", qPrintable(process.program()));
-    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
-            process.readAllStandardOutput(), process.readAllStandardError()};
-}
-
-Outcome run(const QStringList &arguments)
-{
-    QProcess process;
-    process.start(programPath(), arguments);
-    return finish(process);
-}
-
-QByteArray bytesOf(const QString &path)
-{
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        qFatal("can't read %s", qPrintable(path));
-    return file.readAll();
-}
-
-QStringList filesIn(const QString &folder)
-{
-    return QDir(folder).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot, QDir::Name);
-}
-
-bool isOneSentence(const QByteArray &errors)
-{
-    return errors.startsWith("driftbench-cli: ") && errors.endsWith(".\n") && errors.count('\n') == 1;
-}
 
 // Whether the file holds the header and exactly the recording, to the last bit.
 bool holds(const QByteArray &csv, const Recording &recording)
@@ -130,7 +87,7 @@ void TestCliSimulate::init()
 
 void TestCliSimulate::simulate_defaultCampaign_writesWhatTheEngineSimulates()
 {
-    const Outcome outcome = run({"simulate", "--out", out()});
+    const Outcome outcome = runCli({"simulate", "--out", out()});
     QCOMPARE(outcome.errors, QByteArray());
     QCOMPARE(outcome.exitCode, 0);
     QCOMPARE(filesIn(out()), QStringList({"run1.csv", "run1.csv.meta.json", "run2.csv", "run2.csv.meta.json",
@@ -144,13 +101,13 @@ void TestCliSimulate::simulate_defaultCampaign_writesWhatTheEngineSimulates()
 void TestCliSimulate::simulate_everyOption_reachesTheEngine()
 {
     const Outcome outcome =
-        run({"simulate",   "--out",        out(),   "--runs",    "2",          "--seed",
-             "77",         "--profile",    "quick", "--truth",   "steep",      "--spread",
-             "0.01",       "--noise",      "0.2",   "--turn-on", "0.3",        "--reference-rate",
-             "-25,5,53.5", "--rate",       "20",    "--lag",     "3",          "--chamber-lag",
-             "4",          "--hysteresis", "0.1",   "--steps",   "2",          "--motion",
-             "3",          "--gaps",       "1",     "--stairs",  "--outliers", "0.01",
-             "--nan",      "0.02"});
+        runCli({"simulate",   "--out",        out(),   "--runs",    "2",          "--seed",
+                "77",         "--profile",    "quick", "--truth",   "steep",      "--spread",
+                "0.01",       "--noise",      "0.2",   "--turn-on", "0.3",        "--reference-rate",
+                "-25,5,53.5", "--rate",       "20",    "--lag",     "3",          "--chamber-lag",
+                "4",          "--hysteresis", "0.1",   "--steps",   "2",          "--motion",
+                "3",          "--gaps",       "1",     "--stairs",  "--outliers", "0.01",
+                "--nan",      "0.02"});
     QCOMPARE(outcome.errors, QByteArray());
     QCOMPARE(outcome.exitCode, 0);
     SimulationOptions options = engineOptions("quick", "steep");
@@ -174,8 +131,8 @@ void TestCliSimulate::simulate_everyOption_reachesTheEngine()
 
 void TestCliSimulate::simulate_truth_isTheCurvesOfTheRuns()
 {
-    QCOMPARE(run({"simulate", "--out", out(), "--runs", "2", "--profile", "quick", "--seed", "5", "--steps",
-                  "2", "--motion", "1", "--gaps", "3"})
+    QCOMPARE(runCli({"simulate", "--out", out(), "--runs", "2", "--profile", "quick", "--seed", "5",
+                     "--steps", "2", "--motion", "1", "--gaps", "3"})
                  .exitCode,
              0);
     const auto truth = nlohmann::json::parse(bytesOf(out() + "/truth.json").toStdString());
@@ -208,8 +165,8 @@ void TestCliSimulate::simulate_truth_isTheCurvesOfTheRuns()
 
 void TestCliSimulate::simulate_sidecar_namesSensorAndReference()
 {
-    QCOMPARE(run({"simulate", "--out", out(), "--runs", "1", "--profile", "quick", "--sensor", "L3GD20H",
-                  "--serial", "A \"7\"", "--reference-rate=-1,2,3.5"})
+    QCOMPARE(runCli({"simulate", "--out", out(), "--runs", "1", "--profile", "quick", "--sensor", "L3GD20H",
+                     "--serial", "A \"7\"", "--reference-rate=-1,2,3.5"})
                  .exitCode,
              0);
     const auto meta = nlohmann::json::parse(bytesOf(out() + "/run1.csv.meta.json").toStdString());
@@ -224,7 +181,7 @@ void TestCliSimulate::simulate_sameSeed_isTheSameBytes()
     const auto into = [&](const QString &name, const QString &seed) {
         const QString folder = m_folder->filePath(name);
         QStringList arguments{"simulate", "--out", folder, "--seed", seed};
-        if (run(arguments + common).exitCode != 0)
+        if (runCli(arguments + common).exitCode != 0)
             qFatal("simulate failed");
         return folder;
     };
@@ -241,7 +198,8 @@ void TestCliSimulate::simulate_sameSeed_isTheSameBytes()
 
 void TestCliSimulate::simulate_json_listsTheFiles()
 {
-    const Outcome outcome = run({"simulate", "--out", out(), "--runs", "2", "--profile", "quick", "--json"});
+    const Outcome outcome =
+        runCli({"simulate", "--out", out(), "--runs", "2", "--profile", "quick", "--json"});
     QCOMPARE(outcome.exitCode, 0);
     const auto json = nlohmann::json::parse(outcome.output.toStdString());
     QCOMPARE(json["simulated"].get<bool>(), true);
@@ -254,7 +212,7 @@ void TestCliSimulate::simulate_json_listsTheFiles()
 void TestCliSimulate::simulate_fewerRunsThanBefore_pointsOutTheOlderOne()
 {
     const auto withRuns = [this](const QString &runs) {
-        return run({"simulate", "--out", out(), "--profile", "quick", "--runs", runs});
+        return runCli({"simulate", "--out", out(), "--profile", "quick", "--runs", runs});
     };
     QCOMPARE(withRuns("3").exitCode, 0);
     const Outcome outcome = withRuns("2");
@@ -301,7 +259,7 @@ void TestCliSimulate::simulate_badOption_saysItInOneSentence()
     QFETCH(int, exitCode);
     QFETCH(QByteArray, says);
     const QStringList command{"simulate", "--out", out()};
-    const Outcome outcome = run(command + arguments);
+    const Outcome outcome = runCli(command + arguments);
     QCOMPARE(outcome.exitCode, exitCode);
     QVERIFY2(isOneSentence(outcome.errors), outcome.errors.constData());
     QVERIFY2(outcome.errors.contains(says), outcome.errors.constData());
@@ -313,7 +271,7 @@ void TestCliSimulate::simulate_folderBelowAFile_isRefused()
 {
     QFile file(m_folder->filePath("file"));
     QVERIFY(file.open(QIODevice::WriteOnly));
-    const Outcome outcome = run({"simulate", "--out", file.fileName() + "/campaign"});
+    const Outcome outcome = runCli({"simulate", "--out", file.fileName() + "/campaign"});
     QCOMPARE(outcome.exitCode, static_cast<int>(Errc::OutputNotWritable));
     QVERIFY(outcome.errors.startsWith("driftbench-cli: ") && outcome.errors.contains("can't be written"));
     QCOMPARE(outcome.errors.count('\n'), 1);
@@ -321,17 +279,13 @@ void TestCliSimulate::simulate_folderBelowAFile_isRefused()
 
 void TestCliSimulate::simulate_fullDisk_leavesTheFolderAsItWas()
 {
-    // A file system of its own with room for less than the campaign.
-    QProcess probe;
-    probe.start("unshare", {"-r", "-m", "mount", "-t", "tmpfs", "tmpfs", m_folder->path()});
-    if (!probe.waitForFinished() || probe.exitStatus() != QProcess::NormalExit || probe.exitCode() != 0)
+    const auto onDisk = runOnSmallDisk(m_folder->path(), "300k",
+                                       "echo before > \"$1/run1.csv\" && "
+                                       "\"$2\" simulate --out \"$1\" --profile quick --runs 5; "
+                                       "echo \"exit $?\"; ls -A \"$1\"; cat \"$1/run1.csv\"");
+    if (!onDisk)
         QSKIP("this machine does not let a test mount a small file system");
-    const QString script = "mount -t tmpfs -o size=300k tmpfs \"$1\" && echo before > \"$1/run1.csv\" && "
-                           "\"$2\" simulate --out \"$1\" --profile quick --runs 5; "
-                           "echo \"exit $?\"; ls -A \"$1\"; cat \"$1/run1.csv\"";
-    QProcess process;
-    process.start("unshare", {"-r", "-m", "sh", "-c", script, "sh", m_folder->path(), programPath()});
-    const Outcome outcome = finish(process);
+    const Outcome &outcome = *onDisk;
     QCOMPARE(outcome.output, QByteArray("exit 31\nrun1.csv\nbefore\n"));
     QVERIFY(outcome.errors.contains("no room is left on its disk"));
 }
@@ -340,7 +294,7 @@ void TestCliSimulate::simulate_fullStandardOutput_isAnError()
 {
     QProcess process;
     process.setStandardOutputFile("/dev/full");
-    process.start(programPath(), {"simulate", "--out", out(), "--profile", "quick", "--runs", "1"});
+    process.start(cliPath(), {"simulate", "--out", out(), "--profile", "quick", "--runs", "1"});
     const Outcome outcome = finish(process);
     QCOMPARE(outcome.exitCode, static_cast<int>(Errc::OutputFull));
     QVERIFY(isOneSentence(outcome.errors));
@@ -357,31 +311,39 @@ void TestCliSimulate::simulate_interrupted_leavesNothing()
 {
     QFETCH(int, signalNumber);
     QProcess process;
-    process.start(programPath(), {"simulate", "--out", out(), "--rate", "100000"}); // would take minutes
+    process.start(cliPath(), {"simulate", "--out", out(), "--rate", "100000"}); // would take minutes
     QTRY_VERIFY_WITH_TIMEOUT(!filesIn(out()).isEmpty(), 30000);
     QCOMPARE(::kill(static_cast<pid_t>(process.processId()), signalNumber), 0);
     const Outcome outcome = finish(process);
     QCOMPARE(outcome.exitCode, static_cast<int>(Errc::Cancelled));
     QCOMPARE(outcome.errors,
              QByteArray("driftbench-cli: The simulation was cancelled; no file was written.\n"));
-    QCOMPARE(filesIn(out()), QStringList());
+    QVERIFY(!QFile::exists(out()));
 }
 
-void TestCliSimulate::help_everyCommand_hasAnExample()
+void TestCliSimulate::help_everyCommand_fitsATerminalAndHasAnExample()
 {
-    for (const QStringList &arguments : {QStringList{"--help"}, QStringList{"simulate", "--help"}}) {
-        const Outcome outcome = run(arguments);
+    const QStringList commands{"inspect", "simulate", "fit", "evaluate", "apply", "export"};
+    QList<QStringList> helps{{"--help"}};
+    for (const QString &command : commands)
+        helps.append({command, "--help"});
+    for (const QStringList &arguments : helps) {
+        const Outcome outcome = runCli(arguments);
         QCOMPARE(outcome.exitCode, 0);
         QCOMPARE(outcome.errors, QByteArray());
         QVERIFY(outcome.output.contains("Example:\n  driftbench-cli "));
+        for (const QByteArray &line : outcome.output.split('\n'))
+            QVERIFY2(QString::fromUtf8(line).size() <= 80, line.constData());
     }
-    const Outcome version = run({"--version"});
+    for (const QString &command : commands)
+        QVERIFY(runCli({"--help"}).output.contains("\n  " + command.toUtf8()));
+    const Outcome version = runCli({"--version"});
     QCOMPARE(version.exitCode, 0);
     QVERIFY(version.output.startsWith("driftbench-cli "));
-    const Outcome nothing = run({});
+    const Outcome nothing = runCli({});
     QCOMPARE(nothing.exitCode, 2);
     QVERIFY(isOneSentence(nothing.errors));
-    const Outcome unknown = run({"sumilate"});
+    const Outcome unknown = runCli({"sumilate"});
     QCOMPARE(unknown.exitCode, 2);
     QVERIFY(isOneSentence(unknown.errors) && unknown.errors.contains("sumilate"));
 }
@@ -389,7 +351,7 @@ void TestCliSimulate::help_everyCommand_hasAnExample()
 void TestCliSimulate::help_main_listsEveryExitCode()
 {
     // What the command line promises in writing, whatever the names in the code become.
-    const QByteArray help = run({"--help"}).output;
+    const QByteArray help = runCli({"--help"}).output;
     for (const int code : {0,  1,  2,  10, 11, 12, 13, 14, 15, 16, 17, 20, 21, 22, 23, 24,
                            25, 26, 27, 28, 29, 30, 31, 40, 41, 42, 43, 44, 45, 50, 60, 70})
         QVERIFY2(help.contains(QByteArray::number(code).rightJustified(4) + "  "),

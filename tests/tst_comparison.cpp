@@ -1,6 +1,6 @@
 #include "engine/evaluation/comparison.h"
 #include "engine/evaluation/paper_improvements.h"
-#include "support/plain_csv.h"
+#include "support/recorded_run.h"
 #include "support/simple_recipes.h"
 #include "support/test_data.h"
 #include "support/thermal_runs.h"
@@ -369,9 +369,9 @@ void TestComparison::paperImprovements_ratiosAndSigns()
 
 static TrainingSet chamber(const std::filesystem::path &folder)
 {
-    return {{test::readPlainCsv(folder / "run1_cooling.csv", "run1", 1, -17.6),
-             test::readPlainCsv(folder / "run2_heating.csv", "run2", 0, -17.6),
-             test::readPlainCsv(folder / "run3_cooling.csv", "run3", 0, -17.6)},
+    return {{test::recordedRun(folder / "run1_cooling.csv", "run1", 1, -17.6),
+             test::recordedRun(folder / "run2_heating.csv", "run2", 0, -17.6),
+             test::recordedRun(folder / "run3_cooling.csv", "run3", 0, -17.6)},
             -17.6};
 }
 

@@ -1,7 +1,7 @@
 #include "engine/evaluation/hysteresis.h"
 #include "engine/evaluation/repeatability.h"
 #include "engine/evaluation/sweeps.h"
-#include "support/plain_csv.h"
+#include "support/recorded_run.h"
 #include "support/test_data.h"
 #include "support/thermal_runs.h"
 
@@ -145,9 +145,9 @@ void TestHysteresis::chamber_passagesAndRepeatability_areThePublishedOnes()
 {
     REQUIRE_SHARED_DATA(path, "climate_chamber/run1_cooling.csv");
     const auto folder = path.parent_path();
-    const TrainingSet set{{test::readPlainCsv(path, "run1", 1, -17.0),
-                           test::readPlainCsv(folder / "run2_heating.csv", "run2", 0, -17.0),
-                           test::readPlainCsv(folder / "run3_cooling.csv", "run3", 0, -17.0)},
+    const TrainingSet set{{test::recordedRun(path, "run1", 1, -17.0),
+                           test::recordedRun(folder / "run2_heating.csv", "run2", 0, -17.0),
+                           test::recordedRun(folder / "run3_cooling.csv", "run3", 0, -17.0)},
                           -17.0};
     const Hysteresis hysteresis = analyseHysteresis(set);
     QCOMPARE(hysteresis.meetingTemperatureC, 40.0);
@@ -169,7 +169,7 @@ void TestHysteresis::chamber_passagesAndRepeatability_areThePublishedOnes()
 void TestHysteresis::chamberAsOneRun_threeSweeps_readAsTheRuns()
 {
     REQUIRE_SHARED_DATA(path, "climate_chamber/chamber_all.csv");
-    const TrainingSet set{{test::readPlainCsv(path, "all", 1, 0.0)}, 0.0};
+    const TrainingSet set{{test::recordedRun(path, "all", 1, 0.0)}, 0.0};
     const Hysteresis hysteresis = analyseHysteresis(set);
     QCOMPARE(hysteresis.passages.size(), std::size_t{3});
     QVERIFY(std::abs(hysteresis.passages[2].tdeDps[0] + 3.42) < 0.005);

@@ -1,7 +1,7 @@
 // What the checks say about real logs.
+#include "engine/formats/log_reader.h"
 #include "engine/recording/quality.h"
 #include "engine/recording/run_report.h"
-#include "support/csv_recording.h"
 #include "support/test_data.h"
 
 #include <algorithm>
@@ -42,7 +42,7 @@ void TestQualityRecorded::chamber_keepsAllButTheFirstRow()
     QFETCH(const QString, file);
     QFETCH(const int, masked);
     REQUIRE_SHARED_DATA(path, file.toUtf8().constData());
-    const CheckedRun checked = checkRun(readPlainCsv(path));
+    const CheckedRun checked = checkRun(readLog(path, {}).value());
     QVERIFY(!checked.refusal);
     const Eigen::Index size = checked.run.recording->size();
     QCOMPARE(size - checked.run.mask.countUsableForJudging(), masked);
@@ -53,7 +53,7 @@ void TestQualityRecorded::chamber_keepsAllButTheFirstRow()
 void TestQualityRecorded::chamber_biasStepsOfX_areReported()
 {
     REQUIRE_SHARED_DATA(path, "climate_chamber/chamber_all.csv");
-    const CheckedRun checked = checkRun(readPlainCsv(path));
+    const CheckedRun checked = checkRun(readLog(path, {}).value());
     const auto steps =
         std::find_if(checked.run.findings.begin(), checked.run.findings.end(), [](const Finding &finding) {
             return finding.kind == "bias step" && finding.message.find("bias of x") != std::string::npos;
@@ -66,13 +66,13 @@ void TestQualityRecorded::warmUp_isRefusedForItsSpanAndNotMasked()
 {
     REQUIRE_SHARED_DATA(path, "dataflash_warmup/log171_IMU3_stationary_17s6-59s.csv");
     QualityOptions options;
-    const auto refused = prepareRun(readPlainCsv(path), options);
+    const auto refused = prepareRun(readLog(path, {}).value(), options);
     QVERIFY(!refused);
     QCOMPARE(refused.error().code, Errc::SpanTooSmall);
     QVERIFY(refused.error().message.find("4.4 °C") != std::string::npos);
     options.allowSmallSpan = true;
     options.allowShort = true;
-    const auto run = prepareRun(readPlainCsv(path), options);
+    const auto run = prepareRun(readLog(path, {}).value(), options);
     QVERIFY(run);
     QCOMPARE(run->mask.countUsableForJudging(), run->recording->size());
     QVERIFY(hasFinding(*run, "small span") && hasFinding(*run, "short"));
@@ -83,7 +83,7 @@ void TestQualityRecorded::noDriftControl_saysSo()
     REQUIRE_SHARED_DATA(path, "no_drift_control/astropi_2015_sensehat.csv");
     QualityOptions options;
     options.allowSmallSpan = true;
-    const auto run = prepareRun(readPlainCsv(path), options);
+    const auto run = prepareRun(readLog(path, {}).value(), options);
     QVERIFY(run);
     QVERIFY(hasFinding(*run, "no drift"));
     QVERIFY(hasFinding(*run, "gap"));

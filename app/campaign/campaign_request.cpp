@@ -33,22 +33,28 @@ Result<Run> loadRun(const CampaignRequest &request, std::size_t index)
 
 } // namespace
 
+Result<SensorIdentity> statedSensor(const std::filesystem::path &file, const SensorIdentity &measured,
+                                    const SensorIdentity &stated)
+{
+    if (measured.contradicts(stated)) {
+        return Error{Errc::DifferentSensors, file.string() + " was measured by " + measured.text() +
+                                                 ", not by " + stated.text() +
+                                                 "; leave the file out or correct --sensor."};
+    }
+    return SensorIdentity{stated.model.empty() ? measured.model : stated.model,
+                          stated.serial.empty() ? measured.serial : stated.serial};
+}
+
 Result<Recording> readStatedLog(const std::filesystem::path &file, const ReadOptions &read,
                                 const SensorIdentity &stated, const ProgressHook &hook)
 {
     auto recording = readLog(file, read, hook);
     if (!recording)
         return recording;
-    SensorIdentity &measured = recording->info.sensor;
-    if (measured.contradicts(stated)) {
-        return Error{Errc::DifferentSensors, file.string() + " was measured by " + measured.text() +
-                                                 ", not by " + stated.text() +
-                                                 ". Leave the file out or correct --sensor."};
-    }
-    if (!stated.model.empty())
-        measured.model = stated.model;
-    if (!stated.serial.empty())
-        measured.serial = stated.serial;
+    auto sensor = statedSensor(file, recording->info.sensor, stated);
+    if (!sensor)
+        return sensor.error();
+    recording->info.sensor = *std::move(sensor);
     return recording;
 }
 

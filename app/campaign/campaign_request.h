@@ -37,6 +37,10 @@ struct LoadedCampaign
 // Reads and checks the runs and makes their features. The error of a run names its file.
 Result<LoadedCampaign> loadCampaign(const CampaignRequest &request, const ProgressHook &hook = {});
 
+// Who measured, by what the log says and the user stated; DifferentSensors if these contradict each other.
+Result<SensorIdentity> statedSensor(const std::filesystem::path &file, const SensorIdentity &measured,
+                                    const SensorIdentity &stated);
+
 // Reads one file and says who measured, if the user stated it; DifferentSensors if the log says otherwise.
 Result<Recording> readStatedLog(const std::filesystem::path &file, const ReadOptions &read,
                                 const SensorIdentity &stated, const ProgressHook &hook = {});

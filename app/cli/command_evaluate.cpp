@@ -1,6 +1,7 @@
 #include "app/cli/cli_io.h"
 #include "app/cli/command.h"
 #include "app/cli/log_options.h"
+#include "app/cli/model_range.h"
 #include "app/cli/progress_line.h"
 #include "engine/base/axes.h"
 #include "engine/base/text.h"
@@ -43,6 +44,27 @@ std::string rowsAsText(const std::vector<ComparisonRow> &rows)
     return text.str();
 }
 
+// Refused where the model has nothing to say about any of the runs; a notice of each that it covers in part.
+Status checkRange(const EvaluateArguments &arguments, const TrainedModel &model, const LoadedCampaign &loaded)
+{
+    ModelRange all(model);
+    std::vector<std::string> notices;
+    for (const auto &run : loaded.features.runs) {
+        ModelRange range(model);
+        const Eigen::VectorXd temperatureC = run->deltaT.array() + loaded.features.referenceTemperatureC;
+        range.add(temperatureC);
+        all.add(temperatureC);
+        if (range.reachesBeyond())
+            notices.push_back(range.notice(run->name));
+    }
+    if (all.wholly() && !arguments.force)
+        return all.refusal(arguments.request.files.size() == 1 ? arguments.request.files[0].string()
+                                                               : std::string("Each of the runs"),
+                           arguments.model);
+    printWarnings("", notices);
+    return {};
+}
+
 Status evaluate(const EvaluateArguments &arguments)
 {
     const auto model = loadModel(arguments.model);
@@ -58,8 +80,10 @@ Status evaluate(const EvaluateArguments &arguments)
     if (loaded->campaign.sensor.contradicts(model->sensor) && !arguments.force) {
         return Error{Errc::ModelOfAnotherSensor,
                      arguments.model + " was trained on " + model->sensor.text() + ", but the runs are of " +
-                         loaded->campaign.sensor.text() + ". Take that sensor's model, or say --force."};
+                         loaded->campaign.sensor.text() + "; take that sensor's model, or say --force."};
     }
+    if (Status covered = checkRange(arguments, *model, *loaded); !covered)
+        return covered;
     printFindings(loaded->campaign);
     std::vector<ComparisonRow> rows;
     for (const auto &run : loaded->features.runs) {
@@ -91,7 +115,8 @@ void addEvaluateCommand(CLI::App &program, Invocation &invocation)
     addCampaignOptions(*command, arguments->request);
     command->remove_option(command->get_option("--reference-temperature"));
     addJudgeOption(*command, arguments->judging);
-    command->add_flag("--force", arguments->force, "Also runs of another sensor");
+    command->add_flag("--force", arguments->force,
+                      "Also runs of another sensor, or outside the trained range");
     addJsonOption(*command, arguments->json);
     command->callback(
         [arguments, &invocation] { invocation.run = [arguments] { return evaluate(*arguments); }; });

@@ -89,14 +89,18 @@ void addExportCommand(CLI::App &program, Invocation &invocation)
     command->add_flag("--force", arguments->options.force, "Also axes whose verdict is not yes");
     command
         ->add_option("--bound", arguments->boundDps,
-                     "Largest interpolation error of a table (default 0.001 dps)")
+                     "Largest interpolation error of a table in dps (default 0.001)")
         ->type_name("DPS");
     command->add_option("--symbol", arguments->options.symbol, "c: prefix of the names in the header")
-        ->capture_default_str();
-    command->add_option("--gyro", arguments->options.gyro,
-                        "px4: 0 to 3, ardupilot: 1 to 3 (default: the first)");
-    command->add_option("--device-id", arguments->options.deviceId,
-                        "px4: id of the gyro (default: the sensor's serial number, if that is a number)");
+        ->capture_default_str()
+        ->type_name("NAME");
+    command
+        ->add_option("--gyro", arguments->options.gyro, "px4: 0 to 3, ardupilot: 1 to 3 (default: the first)")
+        ->type_name("N");
+    command
+        ->add_option("--device-id", arguments->options.deviceId,
+                     "px4: id of the gyro (default: the sensor's serial number, if that is a number)")
+        ->type_name("ID");
     addJsonOption(*command, arguments->json);
     command->callback(
         [arguments, &invocation] { invocation.run = [arguments] { return exportIt(*arguments); }; });

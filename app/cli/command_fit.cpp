@@ -1,16 +1,16 @@
 #include "app/cli/cli_io.h"
 #include "app/cli/command.h"
+#include "app/cli/dynamic_experiment_text.h"
+#include "app/cli/fit_files.h"
 #include "app/cli/log_options.h"
+#include "app/cli/output_folder.h"
 #include "app/cli/progress_line.h"
-#include "engine/base/atomic_file.h"
-#include "engine/base/axes.h"
-#include "engine/base/text.h"
 #include "engine/evaluation/comparison.h"
-#include "engine/evaluation/dynamic_experiment.h"
 #include "engine/exports/comparison_files.h"
-#include "engine/models/model_file.h"
 
+#include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -37,118 +37,64 @@ CampaignSummary summaryOf(const LoadedCampaign &loaded)
     return summary;
 }
 
-// What the fold's model has besides its parameters is the same as for the model of all runs, but for the
-// runs.
-TrainedModel heldOutModel(const Comparison &comparison, const Fold &fold, std::size_t index)
+// A run may be named by its file: the campaign's runs are in the order of the files.
+std::vector<std::string> namesOfHeldOut(const FitArguments &arguments, const Campaign &campaign)
 {
-    TrainedModel model = comparison.models[index];
-    model.model = fold.models[index].model;
-    model.summary = fold.models[index].summary;
-    model.trainedOn = fold.trainedOn;
-    const DeltaTRange range = trainedRange(fold.training);
-    model.lowestTemperatureC = model.referenceTemperatureC + range.lowest;
-    model.highestTemperatureC = model.referenceTemperatureC + range.highest;
-    model.band.reset();
-    return model;
-}
-
-Status writeModels(const Comparison &comparison, const std::filesystem::path &folder)
-{
-    if (Status made = ensureWritableFolder(folder / "models"); !made)
-        return made;
-    for (const TrainedModel &model : comparison.models) {
-        if (Status saved = saveModel(model, folder / "models" / (model.name + ".json")); !saved)
-            return saved;
-    }
-    for (const Fold &fold : comparison.folds) {
-        const auto place = folder / "held-out" / fold.name;
-        if (Status made = ensureWritableFolder(place); !made)
-            return made;
-        for (std::size_t i = 0; i < fold.models.size(); ++i) {
-            const TrainedModel model = heldOutModel(comparison, fold, i);
-            if (Status saved = saveModel(model, place / (model.name + ".json")); !saved)
-                return saved;
+    std::vector<std::string> names = arguments.comparison.holdOut;
+    for (std::string &wanted : names) {
+        const auto isWanted = [&](const Run &run) { return run.name == wanted; };
+        if (std::any_of(campaign.runs.begin(), campaign.runs.end(), isWanted))
+            continue;
+        for (std::size_t i = 0; i < campaign.runs.size(); ++i) {
+            std::error_code code;
+            if (std::filesystem::equivalent(arguments.request.files[i], wanted, code)) {
+                wanted = campaign.runs[i].name;
+                break;
+            }
         }
     }
-    return {};
-}
-
-Status writeAll(const FitArguments &arguments, const LoadedCampaign &loaded, const Comparison &comparison)
-{
-    const std::filesystem::path folder = arguments.out;
-    if (Status written = writeModels(comparison, folder); !written)
-        return written;
-    if (Status written = writeFileAtomically(folder / "request.json", requestToJson(arguments.request));
-        !written)
-        return written;
-    return writeComparisonFiles(comparison, summaryOf(loaded), folder);
-}
-
-nlohmann::ordered_json dynamicToJson(const std::vector<DynamicOutcome> &outcomes)
-{
-    auto list = nlohmann::ordered_json::array();
-    for (const DynamicOutcome &outcome : outcomes) {
-        list.push_back({{"run", outcome.run},
-                        {"axis", std::string(kAxisNames[static_cast<std::size_t>(outcome.axis)])},
-                        {"msd_static", outcome.msdStatic},
-                        {"msd_dynamic", outcome.msdDynamic},
-                        {"noise_floor", outcome.noiseFloor},
-                        {"lag_time_constant_s", outcome.lagTimeConstantS},
-                        {"dps_per_C_per_s", outcome.dpsPerCPerS},
-                        {"dps_per_lag_C", outcome.dpsPerLagC}});
-    }
-    return list;
-}
-
-std::string dynamicToText(const std::vector<DynamicOutcome> &outcomes)
-{
-    std::string text =
-        "\nExperiment: rbf with dT/dt and a lag added, MSD on held-out runs in dps^2. Not exported.\n";
-    for (const DynamicOutcome &outcome : outcomes) {
-        text += "  " + outcome.run + " " + std::string(kAxisNames[static_cast<std::size_t>(outcome.axis)]) +
-                "  " + fixed(outcome.msdStatic, 6) + " -> " + fixed(outcome.msdDynamic, 6) + "  (lag " +
-                fixed(outcome.lagTimeConstantS, 0) + " s)\n";
-    }
-    return text;
+    return names;
 }
 
 Status fit(const FitArguments &arguments)
 {
     // A folder that can't be written to should not cost the user a training.
-    if (Status writable = ensureWritableFolder(arguments.out); !writable)
+    OutputFolders folders;
+    if (Status writable = folders.make(arguments.out); !writable)
         return writable;
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
     ProgressLine progress;
-    auto loaded = loadCampaign(arguments.request, progress.hook());
+    const auto loaded = loadCampaign(arguments.request, progress.hook());
     if (!loaded)
         return loaded.error();
     const auto read = Clock::now();
     printFindings(loaded->campaign);
+    ComparisonOptions options = arguments.comparison;
+    options.holdOut = namesOfHeldOut(arguments, loaded->campaign);
     const auto comparison = compareModels(loaded->features, {loaded->campaign.sensor, loaded->simulated},
-                                          arguments.comparison, progress.hook());
+                                          options, progress.hook());
     if (!comparison)
         return comparison.error();
     const auto compared = Clock::now();
-    printWarnings("", comparison->warnings);
-    if (Status written = writeAll(arguments, *loaded, *comparison); !written)
-        return written;
+    const CampaignSummary summary = summaryOf(*loaded);
+    std::vector<NamedText> beside{{"request.json", requestToJson(arguments.request)}};
     std::vector<DynamicOutcome> dynamic;
     if (arguments.dynamic) {
         auto outcomes = dynamicExperiment(*comparison);
         if (!outcomes)
             return outcomes.error();
         dynamic = *std::move(outcomes);
-        if (Status written =
-                writeFileAtomically(std::filesystem::path(arguments.out) / "dynamic_experiment.json",
-                                    dynamicToJson(dynamic).dump(2) + "\n");
-            !written)
-            return written;
+        beside.push_back({kDynamicExperiment, dynamicToJson(dynamic).dump(2) + "\n"});
     }
+    if (Status written = writeFitFiles(arguments.out, *comparison, summary, beside); !written)
+        return written;
+    folders.keep();
+    // Either way the warnings of the comparison are part of what is printed.
     if (!arguments.json)
         return printResult(recommendationToText(*comparison) +
-                           (dynamic.empty() ? "" : dynamicToText(dynamic)));
-    auto json = nlohmann::ordered_json::parse(comparisonToJson(*comparison, summaryOf(*loaded)));
+                           (dynamic.empty() ? "" : dynamicAsText(dynamic)));
+    auto json = nlohmann::ordered_json::parse(comparisonToJson(*comparison, summary));
     if (arguments.dynamic)
         json["dynamic_experiment"] = dynamicToJson(dynamic);
     json["timings_s"] = {{"read", std::chrono::duration<double>(read - start).count()},
@@ -156,10 +102,10 @@ Status fit(const FitArguments &arguments)
     return printJson(json);
 }
 
-std::string knownModels()
+std::string listed(const std::vector<std::string> &names)
 {
     std::string text;
-    for (const std::string &name : knownModelNames())
+    for (const std::string &name : names)
         text += (text.empty() ? "" : ", ") + name;
     return text;
 }
@@ -179,7 +125,9 @@ void addFitCommand(CLI::App &program, Invocation &invocation)
     command->add_option("--out", arguments->out, "Folder for the results; made if it is not there")
         ->required()
         ->type_name("DIR");
-    command->add_option("--models", arguments->comparison.models, "Of " + knownModels())
+    command
+        ->add_option("--models", arguments->comparison.models,
+                     "Of " + listed(knownModelNames()) + " (default: " + listed(defaultModelNames()) + ")")
         ->delimiter(',')
         ->type_name("NAME,...")
         ->allow_extra_args(false);

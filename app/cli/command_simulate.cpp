@@ -91,32 +91,43 @@ std::string oneOf(std::span<const std::string_view> names)
 void addGyroOptions(CLI::App &command, SimulateArguments &arguments)
 {
     GyroOptions &gyro = arguments.gyro;
-    command.add_option("--truth", arguments.truth, "Drift curve: " + oneOf(kDriftCurveNames));
-    command.add_option("--spread", gyro.spread, "Relative standard deviation of the curve between runs");
-    command.add_option("--turn-on", gyro.turnOnBiasDps, "Standard deviation of the turn-on bias in dps");
-    command.add_option("--noise", gyro.noiseDps, "Standard deviation of the white noise in dps");
+    command.add_option("--truth", arguments.truth, "Drift curve: " + oneOf(kDriftCurveNames))
+        ->type_name("NAME");
+    command.add_option("--spread", gyro.spread, "Relative standard deviation of the curve between runs")
+        ->type_name("FRACTION");
+    command.add_option("--turn-on", gyro.turnOnBiasDps, "Standard deviation of the turn-on bias in dps")
+        ->type_name("DPS");
+    command.add_option("--noise", gyro.noiseDps, "Standard deviation of the white noise in dps")
+        ->type_name("DPS");
     addReferenceRateOption(command, gyro.referenceRateDps);
-    command.add_option("--rate", gyro.sampleRateHz, "Samples per second");
-    command.add_option("--lag", gyro.packageLagS, "Lag of the die behind the thermometer in s");
-    command.add_option("--hysteresis", gyro.hysteresisDps, "Heating minus cooling in dps");
-    command.add_option("--sensor", arguments.sensor.model, "Model written into the files");
-    command.add_option("--serial", arguments.sensor.serial, "Serial number written into the files");
+    command.add_option("--rate", gyro.sampleRateHz, "Samples per second")->type_name("HZ");
+    command.add_option("--lag", gyro.packageLagS, "Lag of the die behind the thermometer in s")
+        ->type_name("S");
+    command.add_option("--hysteresis", gyro.hysteresisDps, "Heating minus cooling in dps")->type_name("DPS");
+    command.add_option("--sensor", arguments.sensor.model, "Model written into the files")->type_name("NAME");
+    command.add_option("--serial", arguments.sensor.serial, "Serial number written into the files")
+        ->type_name("NAME");
 }
 
 void addChamberOptions(CLI::App &command, SimulateArguments &arguments)
 {
-    command.add_option("--profile", arguments.profile, "Temperature profile: " + oneOf(kProfileNames));
-    command.add_option("--chamber-lag", arguments.chamber.lagS, "Lag of the air behind the set-point in s");
+    command.add_option("--profile", arguments.profile, "Temperature profile: " + oneOf(kProfileNames))
+        ->type_name("NAME");
+    command.add_option("--chamber-lag", arguments.chamber.lagS, "Lag of the air behind the set-point in s")
+        ->type_name("S");
     command.add_flag("--stairs", arguments.stairs, "Log the temperature in whole degrees");
 }
 
 void addFaultOptions(CLI::App &command, FaultOptions &faults)
 {
-    command.add_option("--steps", faults.biasSteps, "Number of bias steps in a run");
-    command.add_option("--motion", faults.motionBursts, "Number of times the gyro is moved in a run");
-    command.add_option("--gaps", faults.gaps, "Number of gaps in a run");
-    command.add_option("--outliers", faults.outlierFraction, "Fraction of samples that are off by 3 dps");
-    command.add_option("--nan", faults.nonFiniteFraction, "Fraction of samples whose rates are NaN");
+    command.add_option("--steps", faults.biasSteps, "Number of bias steps in a run")->type_name("N");
+    command.add_option("--motion", faults.motionBursts, "Number of times the gyro is moved in a run")
+        ->type_name("N");
+    command.add_option("--gaps", faults.gaps, "Number of gaps in a run")->type_name("N");
+    command.add_option("--outliers", faults.outlierFraction, "Fraction of samples that are off by 3 dps")
+        ->type_name("FRACTION");
+    command.add_option("--nan", faults.nonFiniteFraction, "Fraction of samples whose rates are NaN")
+        ->type_name("FRACTION");
 }
 
 } // namespace
@@ -134,7 +145,7 @@ void addSimulateCommand(CLI::App &program, Invocation &invocation)
     command->add_option("--out", arguments->out, "Folder for the files; made if it is not there")
         ->required()
         ->type_name("DIR");
-    command->add_option("--runs", arguments->runs, "Number of runs");
+    command->add_option("--runs", arguments->runs, "Number of runs")->type_name("N");
     addSeedOption(*command, arguments->seed);
     addChamberOptions(*command, *arguments);
     addGyroOptions(*command, *arguments);

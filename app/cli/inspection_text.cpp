@@ -20,6 +20,11 @@ std::string padded(std::string text, std::size_t width)
     return text;
 }
 
+std::string figure(double value, int decimals)
+{
+    return std::isfinite(value) ? fixed(value, decimals) : std::string("unknown");
+}
+
 std::string_view severityName(FindingSeverity severity)
 {
     switch (severity) {
@@ -43,9 +48,9 @@ std::string axesAsText(const RunReport &report)
     std::string text = "  axis   mean dps    from dps      to dps   noise dps (cells, differences)\n";
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
         const AxisReport &of = report.axes[axis];
-        text += "  " + std::string(kAxisNames[axis]) + padded(fixed(of.meanDps, 4), 14) +
-                padded(fixed(of.lowestDps, 4), 12) + padded(fixed(of.highestDps, 4), 12) +
-                padded(fixed(of.noiseWithinCellDps, 4), 12) + padded(fixed(of.noiseDifferencesDps, 4), 10) +
+        text += "  " + std::string(kAxisNames[axis]) + padded(figure(of.meanDps, 4), 14) +
+                padded(figure(of.lowestDps, 4), 12) + padded(figure(of.highestDps, 4), 12) +
+                padded(figure(of.noiseWithinCellDps, 4), 12) + padded(figure(of.noiseDifferencesDps, 4), 10) +
                 "\n";
     }
     return text;

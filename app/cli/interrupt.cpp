@@ -21,6 +21,8 @@ void listenForInterrupts()
 {
     std::signal(SIGINT, noteInterrupt);
     std::signal(SIGTERM, noteInterrupt);
+    // A file that may not grow further is then an error of writing it, and what was written of it goes.
+    std::signal(SIGXFSZ, SIG_IGN);
 }
 
 bool interrupted()

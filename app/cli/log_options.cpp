@@ -134,10 +134,17 @@ void addCampaignOptions(CLI::App &command, CampaignRequest &request)
             "Rate that was really there, per axis in dps (default 0,0,0), or hold: the "
             "mean of each run's initial hold")
         ->type_name("X,Y,Z");
+    const auto temperature = [&request](const std::string &text) {
+        request.referenceTemperatureC = parseNumber(text);
+        if (!request.referenceTemperatureC || !std::isfinite(*request.referenceTemperatureC))
+            throw CLI::ValidationError("--reference-temperature",
+                                       "\"" + text + "\" is not a temperature in °C, like -40");
+    };
     command
-        .add_option(
-            "--reference-temperature", request.referenceTemperatureC,
-            "Where dT is 0 (default: the initial hold that the runs share, else the lowest temperature)")
+        .add_option_function<std::string>(
+            "--reference-temperature", temperature,
+            "Temperature in °C at which dT is 0 (default: the initial hold that the runs share, else the "
+            "lowest temperature)")
         ->type_name("C");
     addSensorOption(command, request.sensor);
     addQualityOptions(command, request.quality);

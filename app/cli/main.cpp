@@ -1,9 +1,11 @@
 #include "app/cli/cli_io.h"
 #include "app/cli/command.h"
 #include "app/cli/exit_codes.h"
+#include "app/cli/help_format.h"
 #include "app/cli/interrupt.h"
 
 #include <exception>
+#include <memory>
 
 namespace driftbench::cli {
 
@@ -28,6 +30,7 @@ int runProgram(int argc, char **argv)
     CLI::App program(
         "Removes the temperature drift of MEMS gyros: logs in, models judged on unseen runs, tables out.",
         std::string(kProgramName));
+    program.formatter(std::make_shared<HelpFormat>()); // commands inherit it
     program.set_version_flag("--version", std::string(kProgramName) + " " + DRIFTBENCH_VERSION);
     program.require_subcommand(1);
     program.footer("Example:\n  driftbench-cli simulate --out campaign --reference-rate 25,5,53\n\n" +

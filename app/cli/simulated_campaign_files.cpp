@@ -1,8 +1,11 @@
 #include "app/cli/simulated_campaign_files.h"
 
-#include "app/cli/csv_rows.h"
-#include "engine/base/atomic_file.h"
+#include "app/cli/output_folder.h"
+#include "app/cli/pending_files.h"
 #include "engine/base/axes.h"
+#include "engine/formats/csv_writer.h"
+#include "engine/formats/sidecar.h"
+#include "engine/physics/gyro_simulator.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -101,51 +104,13 @@ std::string fileText(const Json &json)
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-// Files that wait to be put in place together.
-class PendingFiles
-{
-public:
-    Result<AtomicFile *> add(const std::filesystem::path &target)
-    {
-        auto file = AtomicFile::create(target);
-        if (!file)
-            return file.error();
-        m_files.push_back(std::make_unique<AtomicFile>(std::move(file).value()));
-        return m_files.back().get();
-    }
-    Status add(const std::filesystem::path &target, std::string_view text)
-    {
-        const auto file = add(target);
-        return file ? (*file)->write(text) : Status(file.error());
-    }
-    Status commit()
-    {
-        for (const auto &file : m_files) {
-            if (Status prepared = file->prepare(); !prepared)
-                return prepared;
-        }
-        for (const auto &file : m_files) {
-            if (Status committed = file->commit(); !committed)
-                return committed;
-        }
-        return {};
-    }
-
-private:
-    std::vector<std::unique_ptr<AtomicFile>> m_files;
-};
-
 // The samples of a run to its file; how many there were.
-Result<std::int64_t> writeSamples(GyroSimulator &simulator, AtomicFile &file, const ProgressHook &hook)
+Result<std::int64_t> writeSamples(GyroSimulator &simulator, CsvWriter &file, const ProgressHook &hook)
 {
-    if (const Status written = file.write(kCsvHeader); !written)
-        return written.error();
     SampleBlock block = SampleBlock::withRows(kBlockRows);
-    std::string text;
     std::int64_t samples = 0;
     while (const Eigen::Index count = simulator.fill(block)) {
-        formatCsvRows(block, count, text);
-        if (const Status written = file.write(text); !written)
+        if (const Status written = file.write(block, count); !written)
             return written.error();
         samples += count;
         if (report(hook, "simulating", simulator.fractionDone()) == Flow::Stop)
@@ -183,18 +148,21 @@ public:
         auto simulator = GyroSimulator::create(m_options, run);
         if (!simulator)
             return simulator.error();
-        const auto file = m_pending.add(m_folder / name);
+        auto file = CsvWriter::create(m_folder / name);
         if (!file)
             return file.error();
-        const auto samples = writeSamples(*simulator, **file, hook);
+        const auto samples = writeSamples(*simulator, *file, hook);
         if (!samples)
             return samples.error();
+        if (const Status added = m_pending.add(*std::move(file)); !added)
+            return added;
         m_written.runs.push_back({m_folder / name, *samples});
         m_runTruths.push_back(runTruthJson(*simulator, name, m_temperaturesC));
-        const Json meta{{"sensor", sensorJson(m_options.sensor)},
-                        {"simulated", true},
-                        {"reference_rate_dps", triple(m_options.gyro.referenceRateDps)}};
-        return m_pending.add(m_folder / (name + ".meta.json"), fileText(meta));
+        RecordingInfo info;
+        info.sensor = m_options.sensor;
+        info.simulated = true;
+        return m_pending.add(sidecarPath(m_folder / name),
+                             sidecarText(info, m_options.gyro.referenceRateDps));
     }
 
     Result<SimulatedCampaignFiles> finish()
@@ -234,14 +202,18 @@ Result<SimulatedCampaignFiles> writeSimulatedCampaign(const SimulationOptions &o
                                               std::to_string(kMostSimulatedRuns) + "."};
     if (const Status ok = checkOptions(options); !ok)
         return ok.error();
-    if (const Status ok = ensureWritableFolder(folder); !ok)
+    OutputFolders folders;
+    if (const Status ok = folders.make(folder); !ok)
         return ok.error();
     CampaignWriter writer(options, folder);
     for (int run = 0; run < runs; ++run) {
         if (const Status ok = writer.addRun(run, partOf(hook, run, runs)); !ok)
             return ok.error();
     }
-    return writer.finish();
+    auto written = writer.finish();
+    if (written)
+        folders.keep();
+    return written;
 }
 
 } // namespace driftbench::cli

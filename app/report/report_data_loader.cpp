@@ -1,6 +1,7 @@
 #include "app/report/report_data_loader.h"
 
 #include "app/campaign/campaign_request.h"
+#include "app/campaign/held_out_folders.h"
 #include "app/report/report_json.h"
 #include "engine/models/model_file.h"
 
@@ -76,9 +77,13 @@ static Status loadRuns(const std::filesystem::path &folder, ReportData &data)
 
 static Status loadHeldOut(const std::filesystem::path &folder, ReportData &data)
 {
-    for (const ReportRun &run : data.runs) {
-        const std::string &name = run.features->name;
-        auto heldOut = loadModels(folder / "held-out" / name);
+    std::vector<std::string> names;
+    for (const ReportRun &run : data.runs)
+        names.push_back(run.features->name);
+    const std::vector<std::string> folders = heldOutFolders(names);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const std::string &name = names[i];
+        auto heldOut = loadModels(folder / "held-out" / folders[i]);
         if (!heldOut)
             return heldOut.error();
         if (heldOut->empty())

@@ -39,7 +39,7 @@ AtomicFile::AtomicFile(std::filesystem::path target, std::filesystem::path tempo
 
 AtomicFile::AtomicFile(AtomicFile &&other) noexcept
     : m_target(std::move(other.m_target))
-    , m_temporary(std::move(other.m_temporary))
+    , m_temporary(std::exchange(other.m_temporary, {}))
     , m_descriptor(std::exchange(other.m_descriptor, -1))
     , m_buffer(std::move(other.m_buffer))
 {
@@ -47,10 +47,10 @@ AtomicFile::AtomicFile(AtomicFile &&other) noexcept
 
 AtomicFile::~AtomicFile()
 {
-    if (m_descriptor < 0)
-        return;
-    ::close(m_descriptor);
-    ::unlink(m_temporary.c_str());
+    if (m_descriptor >= 0)
+        ::close(m_descriptor);
+    if (!m_temporary.empty())
+        ::unlink(m_temporary.c_str());
 }
 
 Result<AtomicFile> AtomicFile::create(const std::filesystem::path &target)
@@ -99,9 +99,14 @@ Status AtomicFile::write(std::string_view bytes)
 
 Status AtomicFile::prepare()
 {
+    if (m_descriptor < 0)
+        return {};
     if (Status flushed = flushBuffer(); !flushed)
         return flushed;
+    m_buffer.shrink_to_fit();
     if (::fsync(m_descriptor) != 0)
+        return failure(errno);
+    if (::close(std::exchange(m_descriptor, -1)) != 0)
         return failure(errno);
     return {};
 }
@@ -112,8 +117,7 @@ Status AtomicFile::commit()
         return prepared;
     if (::rename(m_temporary.c_str(), m_target.c_str()) != 0)
         return failure(errno);
-    if (::close(std::exchange(m_descriptor, -1)) != 0)
-        return failure(errno);
+    m_temporary.clear();
     return {};
 }
 

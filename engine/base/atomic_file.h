@@ -22,10 +22,11 @@ public:
     ~AtomicFile(); // without commit: the temporary file goes, the target stays as it was
 
     Status write(std::string_view bytes);
-    // Brings all that was written to the disk, still beside the target. Of several files that belong together
-    // all are prepared before the first is committed: a disk that is full then shows before any is replaced.
+    // Brings all that was written to the disk, still beside the target, and closes the file: write no more.
+    // Of several files that belong together all are prepared before the first is committed: a disk that is
+    // full then shows before any is replaced.
     Status prepare();
-    Status commit(); // prepares and puts the file in place
+    Status commit(); // prepares, unless that is done, and puts the file in place
 
 private:
     AtomicFile(std::filesystem::path target, std::filesystem::path temporary, int descriptor);
@@ -33,8 +34,8 @@ private:
     Error failure(int errorNumber) const;
 
     std::filesystem::path m_target;
-    std::filesystem::path m_temporary;
-    int m_descriptor = -1;
+    std::filesystem::path m_temporary; // empty once there is none to remove
+    int m_descriptor = -1;             // -1 once prepared
     std::string m_buffer;
 };
 

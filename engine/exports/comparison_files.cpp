@@ -87,18 +87,21 @@ std::string recommendationToText(const Comparison &comparison)
     return text;
 }
 
+std::vector<ComparisonFile> comparisonFiles(const Comparison &comparison, const CampaignSummary &campaign)
+{
+    return {{"comparison.json", comparisonToJson(comparison, campaign)},
+            {"comparison.csv", comparisonToCsv(comparison)},
+            {"comparison.md", comparisonToMarkdown(comparison, campaign)},
+            {"recommendation.json", recommendationToJson(comparison)},
+            {"recommendation.txt", recommendationToText(comparison)}};
+}
+
 Status writeComparisonFiles(const Comparison &comparison, const CampaignSummary &campaign,
                             const std::filesystem::path &folder)
 {
     if (Status made = ensureWritableFolder(folder); !made)
         return made;
-    const std::vector<std::pair<const char *, std::string>> files{
-        {"comparison.json", comparisonToJson(comparison, campaign)},
-        {"comparison.csv", comparisonToCsv(comparison)},
-        {"comparison.md", comparisonToMarkdown(comparison, campaign)},
-        {"recommendation.json", recommendationToJson(comparison)},
-        {"recommendation.txt", recommendationToText(comparison)}};
-    for (const auto &[name, text] : files) {
+    for (const auto &[name, text] : comparisonFiles(comparison, campaign)) {
         if (Status written = writeFileAtomically(folder / name, text); !written)
             return written;
     }

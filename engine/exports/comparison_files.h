@@ -43,6 +43,14 @@ std::string comparisonToMarkdown(const Comparison &comparison, const CampaignSum
 std::string recommendationToJson(const Comparison &comparison);
 std::string recommendationToText(const Comparison &comparison);
 
+struct ComparisonFile
+{
+    std::string name;
+    std::string text;
+};
+// All five, for whoever writes them together with files of its own.
+std::vector<ComparisonFile> comparisonFiles(const Comparison &comparison, const CampaignSummary &campaign);
+
 // All five into folder, which is made unless it is there; each file is replaced whole or not at all.
 // Errc: OutputNotWritable, OutputFull.
 Status writeComparisonFiles(const Comparison &comparison, const CampaignSummary &campaign,

@@ -5,16 +5,27 @@
 
 namespace driftbench {
 
+namespace {
+
+// The longest double in fixed notation has 309 digits before the point.
+constexpr std::size_t kLongestNumber = 400;
+constexpr int kMostDecimals = 60;
+
+char *formatNumber(char *to, double value, std::optional<int> decimals)
+{
+    char *const end = to + kLongestNumber;
+    return decimals
+               ? std::to_chars(to, end, value, std::chars_format::fixed, std::min(*decimals, kMostDecimals))
+                     .ptr
+               : std::to_chars(to, end, value).ptr;
+}
+
+} // namespace
+
 void appendNumber(std::string &text, double value, std::optional<int> decimals)
 {
-    std::array<char, 400> buffer{}; // the longest double in fixed notation has 309 digits before the point
-    constexpr int kMostDecimals = 60;
-    char *const begin = buffer.data();
-    char *const end = begin + buffer.size();
-    const auto [behind, code] = decimals ? std::to_chars(begin, end, value, std::chars_format::fixed,
-                                                         std::min(*decimals, kMostDecimals))
-                                         : std::to_chars(begin, end, value);
-    text.append(begin, behind);
+    std::array<char, kLongestNumber> buffer; // what is used of it is written first
+    text.append(buffer.data(), formatNumber(buffer.data(), value, decimals));
 }
 
 Result<CsvWriter> CsvWriter::create(const std::filesystem::path &path, CsvDecimals decimals,
@@ -34,34 +45,39 @@ Result<CsvWriter> CsvWriter::create(const std::filesystem::path &path, CsvDecima
     return writer;
 }
 
-Status CsvWriter::write(const SampleBlock &block)
+Status CsvWriter::write(const SampleBlock &block, Eigen::Index count)
 {
-    return writeRows(block.timeS, block.temperatureC, block.rateDps);
+    return writeRows(block.timeS, block.temperatureC, block.rateDps, count);
 }
 
 Status CsvWriter::write(const Recording &recording)
 {
-    return writeRows(recording.timeS, recording.temperatureC, recording.rateDps);
+    return writeRows(recording.timeS, recording.temperatureC, recording.rateDps, recording.size());
 }
 
 Status CsvWriter::writeRows(const Eigen::VectorXd &timeS, const Eigen::VectorXd &temperatureC,
-                            const Eigen::MatrixX3d &rateDps)
+                            const Eigen::MatrixX3d &rateDps, Eigen::Index count)
 {
-    std::string row;
-    for (Eigen::Index i = 0; i < timeS.size(); ++i) {
-        row.clear();
-        appendNumber(row, timeS[i], m_decimals.time);
-        row += ',';
-        appendNumber(row, temperatureC[i], m_decimals.temperature);
+    constexpr std::size_t kLongestRow = 5 * (kLongestNumber + 1);
+    constexpr std::size_t kChunk = std::size_t{1} << 16;
+    std::vector<char> text(kChunk + kLongestRow);
+    char *to = text.data();
+    for (Eigen::Index i = 0; i < count; ++i) {
+        to = formatNumber(to, timeS[i], m_decimals.time);
+        *to++ = ',';
+        to = formatNumber(to, temperatureC[i], m_decimals.temperature);
         for (Eigen::Index axis = 0; axis < 3; ++axis) {
-            row += ',';
-            appendNumber(row, rateDps(i, axis), m_decimals.rate);
+            *to++ = ',';
+            to = formatNumber(to, rateDps(i, axis), m_decimals.rate);
         }
-        row += '\n';
-        if (Status written = m_file.write(row); !written)
+        *to++ = '\n';
+        if (to < text.data() + kChunk)
+            continue;
+        if (Status written = m_file.write({text.data(), to}); !written)
             return written;
+        to = text.data();
     }
-    return {};
+    return m_file.write({text.data(), to});
 }
 
 Status writeCsv(const std::filesystem::path &path, const Recording &recording, CsvDecimals decimals)

@@ -35,14 +35,16 @@ public:
     static Result<CsvWriter> create(const std::filesystem::path &path, CsvDecimals decimals = {},
                                     const std::vector<std::string> &commentLines = {});
 
-    Status write(const SampleBlock &block);
+    Status write(const SampleBlock &block, Eigen::Index count); // its first count rows
+    Status write(const SampleBlock &block) { return write(block, block.size()); }
     Status write(const Recording &recording);
+    Status prepare() { return m_file.prepare(); } // see AtomicFile
     Status commit() { return m_file.commit(); }
 
 private:
     CsvWriter(AtomicFile file, CsvDecimals decimals) : m_file(std::move(file)), m_decimals(decimals) {}
     Status writeRows(const Eigen::VectorXd &timeS, const Eigen::VectorXd &temperatureC,
-                     const Eigen::MatrixX3d &rateDps);
+                     const Eigen::MatrixX3d &rateDps, Eigen::Index count);
 
     AtomicFile m_file;
     CsvDecimals m_decimals;

@@ -52,15 +52,22 @@ void readSidecar(const std::filesystem::path &log, RecordingInfo &info)
         info.simulated = simulated->get<bool>();
 }
 
-Status writeSidecar(const std::filesystem::path &log, const RecordingInfo &info)
+std::string sidecarText(const RecordingInfo &info, const std::optional<Eigen::Vector3d> &referenceRateDps)
 {
     nlohmann::ordered_json meta;
     meta["sensor"]["model"] = info.sensor.model;
     meta["sensor"]["serial"] = info.sensor.serial;
     meta["simulated"] = info.simulated;
+    if (referenceRateDps)
+        meta["reference_rate_dps"] = {referenceRateDps->x(), referenceRateDps->y(), referenceRateDps->z()};
     // Invalid UTF-8 in a name must not throw: it is replaced.
     constexpr auto kReplace = nlohmann::ordered_json::error_handler_t::replace;
-    return writeFileAtomically(sidecarPath(log), meta.dump(2, ' ', false, kReplace) + '\n');
+    return meta.dump(2, ' ', false, kReplace) + '\n';
+}
+
+Status writeSidecar(const std::filesystem::path &log, const RecordingInfo &info)
+{
+    return writeFileAtomically(sidecarPath(log), sidecarText(info));
 }
 
 } // namespace driftbench

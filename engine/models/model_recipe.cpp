@@ -191,6 +191,8 @@ Result<std::vector<ModelRecipe>> modelRecipes(const std::vector<std::string> &na
         const auto place = std::find(kSimplestFirst.begin(), kSimplestFirst.end(), name);
         if (place == kSimplestFirst.end())
             return unknownModel(name);
+        if (std::count(names.begin(), names.end(), name) > 1)
+            return Error{Errc::InvalidOption, "Model '" + name + "' is named more than once; name it once."};
         recipes.push_back(makeRecipe(name, static_cast<int>(place - kSimplestFirst.begin()), options, peers));
     }
     return recipes;

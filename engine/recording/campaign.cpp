@@ -82,7 +82,7 @@ Status checkUnits(const Campaign &campaign, std::vector<std::string> &warnings)
                 return Error{Errc::UnitsDiffer,
                              pair +
                                  " differ by a factor of 57.3 in noise and swing: one is in rad/s, the other "
-                                 "in dps; state the unit of each."};
+                                 "in dps; name the unit in the header of each, like gyro_x_rad_s."};
             }
             warnings.push_back("The noise of " + pair + " differs by a factor of 57.3: check their units.");
         }

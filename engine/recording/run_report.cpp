@@ -94,7 +94,8 @@ void describeCoverage(const Recording &recording, const std::vector<Eigen::Index
     const auto both =
         std::count_if(report.coverage.begin(), report.coverage.end(),
                       [](const CoverageCell &c) { return c.heatingS > 0.0 && c.coolingS > 0.0; });
-    report.heatedAndCooledPart = static_cast<double>(both) / static_cast<double>(occupied);
+    if (occupied > 0)
+        report.heatedAndCooledPart = static_cast<double>(both) / static_cast<double>(occupied);
 }
 
 double noiseWithinCells(const Recording &recording, const std::vector<Eigen::Index> &rows, int axis,

@@ -118,8 +118,9 @@ void checkValues(Draft &draft, const QualityOptions &options)
                    timeS, timeS);
     } else {
         draft.refuse(Errc::NonFiniteValue, "non-finite",
-                     countOf(bad, "sample") + (bad == 1 ? " has a value" : " have values") +
-                         " that are no numbers (NaN or infinite), the first is " + where +
+                     countOf(bad, "sample") +
+                         (bad == 1 ? " has a value that is no number" : " have values that are no numbers") +
+                         " (NaN or infinite), the first is " + where +
                          "; repair the log, or have bad rows masked.");
     }
 }
