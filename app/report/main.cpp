@@ -16,6 +16,8 @@
 
 namespace driftbench {
 
+static constexpr int kUsageError = 2; // as of driftbench-cli
+
 static Status writeReport(const std::filesystem::path &fit, const std::filesystem::path &report,
                           const Palette &look)
 {
@@ -61,7 +63,7 @@ int main(int argc, char **argv)
         return app.exit(help);
     } catch (const CLI::ParseError &problem) {
         std::fprintf(stderr, "driftbench-report: %s; see --help.\n", problem.what());
-        return static_cast<int>(Errc::InvalidOption);
+        return kUsageError;
     }
 
     if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
