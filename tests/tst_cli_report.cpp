@@ -37,7 +37,7 @@ Outcome TestCliReport::report(const QStringList &arguments) const
 
 void TestCliReport::initTestCase()
 {
-    simulateQuietly(m_folder.filePath("runs"), {"--profile", "quick", "--runs", "3"});
+    simulateQuietly(m_folder.filePath("runs"), {"--runs", "3"});
     const QString runs = m_folder.filePath("runs/run");
     const Outcome fit = runCli({"fit", runs + "1.csv", runs + "2.csv", runs + "3.csv", "--out",
                                 m_folder.filePath("fit"), "--models", "constant,linear,cubic,rbf"});

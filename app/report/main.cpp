@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 #include <QApplication>
+#include <QHashSeed>
 #include <QLocale>
 
 #include <cstdio>
@@ -68,6 +69,8 @@ int main(int argc, char **argv)
 
     if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
         qputenv("QT_QPA_PLATFORM", "offscreen");
+    // The order in which axes are drawn follows a hash: the same fit shall give the same files.
+    QHashSeed::setDeterministicGlobalSeed();
     const QApplication application(argc, argv);
     QLocale::setDefault(QLocale::c());
     const Status status = writeReport(fit, report, dark ? darkPalette() : lightPalette());
