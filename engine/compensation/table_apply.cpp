@@ -45,7 +45,8 @@ void TableApply<Scalar>::locate(const Scalar *temperatureC, Eigen::Index count, 
         const auto cell = static_cast<std::int32_t>(held < lastCell ? held : lastCell);
         block.cell[i] = cell;
         // The last term is 0, or not a number where the temperature is not finite: cheaper than a branch.
-        block.fraction[i] = (held - static_cast<Scalar>(cell)) + (position - position);
+        const Scalar zeroOrNaN = position - position; // NOLINT(misc-redundant-expression)
+        block.fraction[i] = (held - static_cast<Scalar>(cell)) + zeroOrNaN;
     }
 }
 
