@@ -12,6 +12,7 @@ namespace driftbench {
 namespace {
 
 constexpr double kGridRows = 512.0;
+constexpr double kEnoughDegreesOfFreedom = 100.0;
 
 // 1, the first standardised TCQs, and after them the Gaussians of the path, at standardised rows.
 Eigen::MatrixXd basisAt(const Eigen::MatrixXd &z, int forcedColumns, const Eigen::MatrixX3d &centres,
@@ -29,6 +30,43 @@ Eigen::MatrixXd basisAt(const Eigen::MatrixXd &z, int forcedColumns, const Eigen
                 .exp();
     }
     return basis;
+}
+
+struct WithinCells
+{
+    Eigen::Vector3d squares = Eigen::Vector3d::Zero(); // about the means of the cells
+    double degreesOfFreedom = 0.0;
+};
+
+// Over all runs, in cells of `factor` times their curves' width.
+WithinCells withinCells(const TrainingSet &set, int factor)
+{
+    WithinCells sums;
+    for (const auto &run : set.runs) {
+        const ThermalCurve curve = factor == 1 ? run->curve : run->curve.coarsened(factor);
+        for (const ThermalCell &cell : curve.cells()) {
+            if (cell.count < 2.0)
+                continue;
+            sums.squares += (cell.sumTdeSquared - cell.sumTdeDps.cwiseAbs2() / cell.count).cwiseMax(0.0);
+            sums.degreesOfFreedom += cell.count - 1.0;
+        }
+    }
+    return sums;
+}
+
+Eigen::Vector3d swingVariance(const TrainingSet &set)
+{
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    Eigen::Vector3d squares = Eigen::Vector3d::Zero();
+    double count = 0.0;
+    for (const auto &run : set.runs) {
+        for (const ThermalCell &cell : run->curve.cells()) {
+            sum += cell.sumTdeDps;
+            squares += cell.sumTdeSquared;
+            count += cell.count;
+        }
+    }
+    return (squares / count - (sum / count).cwiseAbs2()).cwiseMax(0.0);
 }
 
 void keepPick(RbfPath &path, const RbfCandidates &candidates, Eigen::Index pick)
@@ -73,36 +111,15 @@ int trainingGridFactor(const ThermalCurve &curve)
 Eigen::Vector3d pooledNoiseVariance(const TrainingSet &set)
 {
     // A slow log has hardly two samples in a narrow cell; then wider cells tell, at the price of some slope.
+    WithinCells within;
     for (const int factor : {1, 5, 25, 50}) {
-        Eigen::Vector3d squares = Eigen::Vector3d::Zero();
-        double degreesOfFreedom = 0.0;
-        for (const auto &run : set.runs) {
-            const ThermalCurve curve = factor == 1 ? run->curve : run->curve.coarsened(factor);
-            for (const ThermalCell &cell : curve.cells()) {
-                if (cell.count < 2.0)
-                    continue;
-                squares += (cell.sumTdeSquared - cell.sumTdeDps.cwiseAbs2() / cell.count).cwiseMax(0.0);
-                degreesOfFreedom += cell.count - 1.0;
-            }
-        }
-        if (degreesOfFreedom < 100.0 && factor < 50)
-            continue;
-        // Noiseless data still need a scale: a millionth of what the axis swings.
-        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-        Eigen::Vector3d sumSquares = Eigen::Vector3d::Zero();
-        double count = 0.0;
-        for (const auto &run : set.runs) {
-            for (const ThermalCell &cell : run->curve.cells()) {
-                sum += cell.sumTdeDps;
-                sumSquares += cell.sumTdeSquared;
-                count += cell.count;
-            }
-        }
-        const Eigen::Vector3d swing = (sumSquares / count - (sum / count).cwiseAbs2()).cwiseMax(0.0);
-        const Eigen::Vector3d variance = squares / std::max(degreesOfFreedom, 1.0);
-        return variance.cwiseMax(1e-12 * swing).cwiseMax(1e-24);
+        within = withinCells(set, factor);
+        if (within.degreesOfFreedom >= kEnoughDegreesOfFreedom)
+            break;
     }
-    return Eigen::Vector3d::Ones();
+    // Noiseless data still need a scale: a millionth of what the axis swings.
+    const Eigen::Vector3d variance = within.squares / std::max(within.degreesOfFreedom, 1.0);
+    return variance.cwiseMax(1e-12 * swingVariance(set)).cwiseMax(1e-24);
 }
 
 RbfPath makeRbfPath(const TrainingSet &set, const RbfPathOptions &options)
