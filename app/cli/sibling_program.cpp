@@ -34,6 +34,7 @@ int runQuietly(const std::filesystem::path &program, const std::vector<std::stri
     pid_t child = 0;
     const bool started =
         posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0) == 0 &&
+        posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0) == 0 &&
         posix_spawn(&child, path.c_str(), &actions, nullptr, pointers.data(), environ) == 0;
     posix_spawn_file_actions_destroy(&actions);
     int status = 0;

@@ -43,24 +43,19 @@ void writeError(const PhysicsFile &physics, const Palette &look, FigureWriter &w
          {{QStringLiteral("ΔC′"), Role::Compensated, temperatureC, toQVector(physics.changeFf)},
           {QStringLiteral("ΔC at T0"), Role::Constant, temperatureC, rest}}},
         {QStringLiteral("Error ΔE = ΔC′ − ΔC"),
-         QStringLiteral("zero at T0 = %1 °C").arg(numberText(physics.straightAtC, 1)),
+         QStringLiteral("%1 fF read as 1 dps").arg(smallNumber(physics.scaleFactorFfPerDps)),
          key,
          QStringLiteral("ΔE (fF)"),
          true,
-         {{{}, Role::Compensated, temperatureC, toQVector(physics.errorFf)}}},
-        {QStringLiteral("The same as a rate"),
-         QStringLiteral("%1 fF per dps").arg(smallNumber(physics.scaleFactorFfPerDps)),
-         key,
-         QStringLiteral("Rate error (dps)"),
-         true,
-         {{{}, Role::Raw, temperatureC, toQVector(physics.errorFf, 1.0 / physics.scaleFactorFfPerDps)}}}};
+         {{{}, Role::Compensated, temperatureC, toQVector(physics.errorFf)}}}};
     CurvePanelsView view(QStringLiteral("Capacitance error over temperature"), look);
-    view.setPanels(std::move(panels), 3);
+    view.setPanels(std::move(panels), 2);
     writer.write(view, "capacitance_error",
                  QStringLiteral("Capacitance of the combs, displaced by %1 µm, over temperature")
                      .arg(smallNumber(physics.displacementUm)),
-                 QStringLiteral("Eqs. (4), (10) and (11), corrected: what the displacement changes, what "
-                                "temperature adds to it, and the rate that this is taken for."));
+                 QStringLiteral("Eqs. (4), (10) and (11), corrected: what the displacement changes, and what "
+                                "temperature adds to it; it is zero at T0 = %1 °C.")
+                     .arg(numberText(physics.straightAtC, 1)));
 }
 
 void writeGaps(const PhysicsFile &physics, const Palette &look, FigureWriter &writer)
