@@ -84,6 +84,8 @@ void TestCliPhysics::physics_rangeIntoContact_goesUpToItAndSaysSo()
     const Outcome outcome = runCli(touching);
     QCOMPARE(outcome.exitCode, 0);
     QVERIFY(outcome.output.contains("The combs touch at 50.000 °C; the range beyond has no capacitance."));
+    QVERIFY(outcome.output.contains("thinner than nothing"));
+    QVERIFY(!runCli({"physics"}).output.contains("thinner than nothing"));
     const QJsonObject physics = jsonOf(runCli(touching + QStringList{"--json"}).output);
     QVERIFY(physics["ends_at_contact"].toBool());
     QCOMPARE(physics["rows"].toArray().last().toObject()["temperature_C"].toDouble(), 45.0);

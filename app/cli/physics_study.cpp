@@ -74,6 +74,9 @@ Result<PhysicsStudy> studyPhysics(const PhysicsRequest &request)
     if (!sensitivities)
         return sensitivities.error();
     study.sensitivities = *sensitivities;
+    const double lengthUm = request.comb.geometry.overlapLengthUm;
+    study.thinnestCombUm = std::min(comb->thicknessUm(study.table.rows.front().deltaTC, lengthUm),
+                                    comb->thicknessUm(study.table.rows.back().deltaTC, lengthUm));
     explain(study);
     profileGaps(*comb, study);
     return study;

@@ -34,6 +34,7 @@ struct PhysicsStudy
     double sensitivitiesAtC = 0.0;    // the end of the table
     std::vector<TcqShare> quantities; // empty where there is nothing to explain, for this reason:
     std::string nothingToExplain;
+    double thinnestCombUm = 0.0; // by Eq. (8), anywhere in the table; below zero the formula no longer holds
     Eigen::VectorXd alongUm;
     std::vector<GapProfile> gaps;
 };

@@ -82,6 +82,10 @@ std::string rowsText(const PhysicsStudy &study, bool asPrinted)
     if (study.table.endsAtContact)
         text += "  The combs touch at " + fixed(study.table.contactC, 3) +
                 " °C; the range beyond has no capacitance.\n";
+    if (study.thinnestCombUm <= 0.0)
+        text += "  At one end of the range Eq. (8) makes the combs thinner than nothing at their ends; it "
+                "holds for "
+                "small bending only.\n";
     if (asPrinted)
         text += "  Eq. (10) as printed has a length too many and half of the right prefactor; it has no "
                 "value for ΔT <= 0.\n";
@@ -248,6 +252,7 @@ nlohmann::ordered_json physicsToJson(const PhysicsStudy &study)
             {"scale_factor_fF_per_dps", study.table.scaleFactorFfPerDps},
             {"contact_C", finite(study.table.contactC)},
             {"ends_at_contact", study.table.endsAtContact},
+            {"thinnest_comb_um", study.thinnestCombUm},
             {"rows", rowsToJson(study.table.rows)},
             {"sensitivities", sensitivitiesToJson(study)},
             {"quantities", quantitiesToJson(study.quantities)},

@@ -3,6 +3,7 @@
 // JSON, in fF, um, C and dps; "curve", "gap" and the residuals are for plots:
 //   { "formula": "corrected", "combs": {..}, "displacement_um", "displacement_um_per_dps",
 //     "scale_factor_fF_per_dps", "contact_C" (null: never), "ends_at_contact",
+//     "thinnest_comb_um" (by Eq. (8); below zero the formula no longer holds),
 //     "rows": [{ "temperature_C", "delta_T_C", "rest_change_fF", "change_fF", "error_fF", "rate_dps",
 //                "printed_change_fF_um" (null where Eq. (10) as printed has no value) }],
 //     "sensitivities": { "temperature_C", "parameters": [{ "symbol", "name", "unit", "value",

@@ -69,9 +69,10 @@ void writeGaps(const PhysicsFile &physics, const Palette &look, FigureWriter &wr
     }
     CurvePanelsView view(QStringLiteral("Gap along the combs"), look);
     view.setPanels({std::move(panel)}, 1);
-    writer.write(view, "gap_profile", QStringLiteral("Gap between two combs along their overlap"),
-                 QStringLiteral("Eq. (9). Above T0 the combs thicken towards their ends and the gap narrows "
-                                "there first; below T0 it widens."));
+    writer.write(
+        view, "gap_profile", QStringLiteral("Gap between two combs along their overlap"),
+        QStringLiteral("Eq. (9), at rest. Above T0 the combs thicken towards their ends and the gap narrows "
+                       "there first; below T0 it widens."));
 }
 
 Role roleOfSet(std::size_t place)
