@@ -13,8 +13,8 @@ namespace driftbench::cli {
 
 namespace {
 
-constexpr std::array<AddCommand, 6> kCommands{addInspectCommand,  addSimulateCommand, addFitCommand,
-                                              addEvaluateCommand, addApplyCommand,    addExportCommand};
+constexpr std::array kCommands{addInspectCommand, addSimulateCommand, addFitCommand,    addEvaluateCommand,
+                               addApplyCommand,   addExportCommand,   addPhysicsCommand};
 
 // "25,5,53"
 std::optional<Eigen::Vector3d> threeNumbers(std::string_view text)
