@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -29,6 +30,8 @@ private slots:
     void improvements_thirdAxisOfTable4_agreeAmongThemselves();
     void improvement_ofOneModelOnAnother_keepsItsSign();
     void statements_recomputed_areThoseOfExactFractions();
+    void unseenRunBound_rowsBelowIt_areThoseOfTheSamePythonProgram();
+    void unseenRunBound_meanOfTheOthersDrifts_neverLeavesLess();
 
 private:
     static std::vector<PaperCheck> allChecks();
@@ -236,6 +239,68 @@ void TestPaperTables::statements_recomputed_areThoseOfExactFractions()
     QCOMPARE(statements.size(), expected.size());
     for (std::size_t i = 0; i < expected.size(); ++i)
         QVERIFY2(std::abs(statements[i].fromTables / expected[i] - 1.0) < 1e-12, statements[i].about.c_str());
+}
+
+void TestPaperTables::unseenRunBound_rowsBelowIt_areThoseOfTheSamePythonProgram()
+{
+    struct Expected
+    {
+        int table, axis;
+        double least, printed;
+    };
+    const std::vector<Expected> expected{{2, 0, 0.02646891393, 0.0193},
+                                         {2, 1, 0.05397749036, 0.0214},
+                                         {4, 0, 0.02635164616, 0.0190},
+                                         {4, 1, 0.05586274492, 0.0221}};
+    const std::vector<UnseenRunBound> bounds = rowsBelowUnseenRunBound();
+    QCOMPARE(bounds.size(), expected.size());
+    for (std::size_t i = 0; i < bounds.size(); ++i) {
+        QCOMPARE(bounds[i].table, expected[i].table);
+        QCOMPARE(bounds[i].run, expected[i].table - 2);
+        QCOMPARE(bounds[i].axis, expected[i].axis);
+        QCOMPARE(bounds[i].printed, expected[i].printed);
+        QVERIFY(std::abs(bounds[i].least / expected[i].least - 1.0) < 1e-8);
+    }
+}
+
+void TestPaperTables::unseenRunBound_meanOfTheOthersDrifts_neverLeavesLess()
+{
+    // Drifts of any shape with the rms that Table 2 to 6 print on x: the mean of four is never nearer to the
+    // fifth than the bound for Table 2 says.
+    constexpr std::uint64_t kSeed = 21;
+    qInfo("seed %llu", static_cast<unsigned long long>(kSeed));
+    Random random(kSeed);
+    const UnseenRunBound bound = rowsBelowUnseenRunBound().front();
+    constexpr int kPoints = 6;
+    double nearest = 1e9;
+    for (int draw = 0; draw < 20000; ++draw) {
+        // All alike but for a share of their own, from none to a tenth.
+        const double own = 0.1 * random.uniform();
+        std::array<double, kPoints> common{};
+        for (double &value : common)
+            value = random.normal();
+        std::array<double, kPoints> difference{};
+        for (int number = 2; number <= kPaperTableCount; ++number) {
+            const PaperTable table = paperTable(number);
+            const MsdByRole msds = table.msds(table.rows[0]);
+            const bool held = number == 2;
+            const double meanSquare = msds[0] - (held ? msds[3] : 0.0);
+            std::array<double, kPoints> drift{};
+            double square = 0.0;
+            for (std::size_t i = 0; i < drift.size(); ++i) {
+                drift[i] = common[i] + own * random.normal();
+                square += drift[i] * drift[i] / kPoints;
+            }
+            for (std::size_t i = 0; i < drift.size(); ++i)
+                difference[i] += (held ? 1.0 : -0.25) * drift[i] * std::sqrt(meanSquare / square);
+        }
+        double left = 0.0;
+        for (const double value : difference)
+            left += value * value / kPoints;
+        QVERIFY(left >= bound.least * (1.0 - 1e-12));
+        nearest = std::min(nearest, left);
+    }
+    QVERIFY(nearest < 1.01 * bound.least); // reached where the runs differ in size alone
 }
 
 QTEST_APPLESS_MAIN(TestPaperTables)

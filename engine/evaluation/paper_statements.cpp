@@ -1,10 +1,12 @@
 #include "engine/evaluation/paper_statements.h"
 
+#include "engine/base/axes.h"
 #include "engine/evaluation/paper_tables.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace driftbench {
 
@@ -37,6 +39,40 @@ double leastOrders(int firstTable, int lastTable)
     return least;
 }
 
+// One axis of all runs of an experiment.
+struct AxisRun
+{
+    int table = 0;
+    int run = 0;
+    double before = 0.0; // dps^2
+    double novel = 0.0;
+};
+
+std::vector<AxisRun> runsOnAxis(int firstTable, int lastTable, int axis)
+{
+    std::vector<AxisRun> runs;
+    for (int number = firstTable; number <= lastTable; ++number) {
+        const PaperTable table = paperTable(number);
+        for (const PrintedRow &row : table.rows) {
+            const MsdByRole msds = table.msds(row);
+            if (row.axis == axis)
+                runs.push_back({number, row.run, msds[static_cast<std::size_t>(PaperRole::Before)],
+                                msds[static_cast<std::size_t>(PaperRole::Novel)]});
+        }
+    }
+    return runs;
+}
+
+double leastOnUnseen(const std::vector<AxisRun> &runs, std::size_t unseen)
+{
+    double sum = 0.0;
+    for (std::size_t i = 0; i < runs.size(); ++i)
+        sum += i == unseen ? 0.0 : std::sqrt(runs[i].before);
+    const double others = sum / static_cast<double>(runs.size() - 1);
+    const double own = std::sqrt(runs[unseen].before - runs[unseen].novel);
+    return own > others ? (own - others) * (own - others) : 0.0;
+}
+
 } // namespace
 
 std::vector<PaperStatement> checkPaperStatements()
@@ -57,6 +93,24 @@ std::vector<PaperStatement> checkPaperStatements()
          meanImprovement(kFirst, kLast, Novel, Conventional2), kFirst, kLast},
         {"Tables 2-6: MSD1 over MSD6, least", kOrders, 2.0, leastOrders(kFirst, kLast), kFirst, kLast},
     };
+}
+
+std::vector<UnseenRunBound> rowsBelowUnseenRunBound()
+{
+    std::vector<UnseenRunBound> bounds;
+    for (const auto &[firstTable, lastTable] : {std::pair{1, 1}, std::pair{2, kPaperTableCount}}) {
+        for (int axis = 0; axis < kAxisCount; ++axis) {
+            const std::vector<AxisRun> runs = runsOnAxis(firstTable, lastTable, axis);
+            for (std::size_t i = 0; i < runs.size(); ++i) {
+                const double least = leastOnUnseen(runs, i);
+                if (least > runs[i].novel)
+                    bounds.push_back({runs[i].table, runs[i].run, axis, least, runs[i].novel});
+            }
+        }
+    }
+    std::stable_sort(bounds.begin(), bounds.end(),
+                     [](const UnseenRunBound &a, const UnseenRunBound &b) { return a.table < b.table; });
+    return bounds;
 }
 
 } // namespace driftbench

@@ -181,7 +181,7 @@ bool improvementsAgreeAmongThemselves(const PaperTable &table, const PrintedRow 
         kept.push_back({1.0 - percent.highest / kPercent, 1.0 - percent.lowest / kPercent});
     }
     if (kept.size() < 3)
-        return true;
+        return false;
     const RoundingRange product{kept[0].lowest * kept[2].lowest, kept[0].highest * kept[2].highest};
     return overlap(product, kept[1], kEdge);
 }

@@ -122,8 +122,8 @@ struct PaperCheck
 std::vector<PaperCheck> checkPaperTable(const PaperTable &table);
 
 // The improvements of a row say the same thing twice: (1 - p5) = (1 - p4)(1 - p54) for those of two models on
-// a third and on each other. Whether they agree among themselves, within their own rounding; true where a row
-// has fewer than three.
+// a third and on each other. Whether they agree among themselves, within their own rounding; false where a
+// row has fewer than three, with nothing to agree.
 bool improvementsAgreeAmongThemselves(const PaperTable &table, const PrintedRow &row);
 
 } // namespace driftbench
