@@ -13,8 +13,10 @@ namespace driftbench::cli {
 
 namespace {
 
-constexpr std::array kCommands{addInspectCommand, addSimulateCommand, addFitCommand,    addEvaluateCommand,
-                               addApplyCommand,   addExportCommand,   addPhysicsCommand};
+// In the order in which a calibration uses them.
+constexpr std::array<AddCommand, 8> kCommands{addSimulateCommand, addInspectCommand, addFitCommand,
+                                              addEvaluateCommand, addApplyCommand,   addExportCommand,
+                                              addPhysicsCommand,  addReproduceCommand};
 
 // "25,5,53"
 std::optional<Eigen::Vector3d> threeNumbers(std::string_view text)

@@ -38,6 +38,7 @@ void addExportCommand(CLI::App &program, Invocation &invocation);
 void addFitCommand(CLI::App &program, Invocation &invocation);
 void addInspectCommand(CLI::App &program, Invocation &invocation);
 void addPhysicsCommand(CLI::App &program, Invocation &invocation);
+void addReproduceCommand(CLI::App &program, Invocation &invocation);
 void addSimulateCommand(CLI::App &program, Invocation &invocation);
 
 std::span<const AddCommand> allCommands();
