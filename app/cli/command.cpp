@@ -13,8 +13,9 @@ namespace driftbench::cli {
 
 namespace {
 
-constexpr std::array<AddCommand, 6> kCommands{addInspectCommand,  addSimulateCommand, addFitCommand,
-                                              addEvaluateCommand, addApplyCommand,    addExportCommand};
+constexpr std::array<AddCommand, 7> kCommands{addInspectCommand, addPlanCommand,     addSimulateCommand,
+                                              addFitCommand,     addEvaluateCommand, addApplyCommand,
+                                              addExportCommand};
 
 // "25,5,53"
 std::optional<Eigen::Vector3d> threeNumbers(std::string_view text)
