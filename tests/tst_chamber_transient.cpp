@@ -205,7 +205,14 @@ void TestChamberTransient::centreLag_longRamp_reachesTheRampLag()
         meanC += chamber.centreLagC(*profile, kRampEndsS - 30.0 * (i + 0.5) / kPlaces) / kPlaces;
     QVERIFY(near(meanC, chamber.rampLagS() / 60.0, 1e-3));
     QVERIFY(near(chamber.rampLagS() / 60.0, 16.4, 0.05));
-    QVERIFY(chamber.centreLagC(*profile, 11100.0) < 2.0);
+    const auto outlook = stillAirOutlook(*plan);
+    QVERIFY(outlook.ok());
+    QVERIFY(near(outlook->rampLagC, chamber.rampLagS() / 60.0, 1e-12));
+    // At the end of a period the stair is as far behind the ramp's end as the whole lag, less half a step.
+    QVERIFY(near(outlook->lagAfterRampC, meanC, 0.26));
+    QCOMPARE(outlook->lagAtEndC, chamber.centreLagC(*profile, 11100.0));
+    QVERIFY(outlook->lagAtEndC > 0.5 && outlook->lagAtEndC < 2.0);
+    QCOMPARE(outlook->settlingS, chamber.settlingTimeS(0.5, 0.03));
 }
 
 void TestChamberTransient::create_badDatasheet_isRefused()

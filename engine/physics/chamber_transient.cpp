@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace driftbench {
 
@@ -139,6 +140,29 @@ double ChamberTransient::temperatureC(const TemperatureProfile &profile, double 
 double ChamberTransient::centreLagC(const TemperatureProfile &profile, double timeS) const
 {
     return profile.setpointC(timeS) - temperatureC(profile, timeS, Eigen::Vector3d::Constant(0.5 * m_edgeM));
+}
+
+Result<StillAirOutlook> stillAirOutlook(const TestPlan &plan)
+{
+    const auto profile = plan.profile();
+    if (!profile)
+        return profile.error();
+    const auto chamber = ChamberTransient::create(plan.chamber);
+    if (!chamber)
+        return chamber.error();
+    const std::vector<PlanSegment> segments = plan.segments();
+    const auto ramp = std::find_if(segments.begin(), segments.end(),
+                                   [](const PlanSegment &segment) { return !segment.isHold(); });
+    // Before whatever starts there.
+    const double rampEndS = std::nextafter(ramp->startS + ramp->durationS, 0.0);
+    StillAirOutlook outlook;
+    outlook.slowestModeS = chamber->slowestModeS();
+    outlook.settlingS = chamber->settlingTimeS(plan.stepC, plan.chamber.thermometerAccuracyC);
+    outlook.rampLagS = chamber->rampLagS();
+    outlook.rampLagC = outlook.rampLagS * plan.stepC / plan.periodS;
+    outlook.lagAfterRampC = std::abs(chamber->centreLagC(*profile, rampEndS));
+    outlook.lagAtEndC = std::abs(chamber->centreLagC(*profile, profile->durationS()));
+    return outlook;
 }
 
 } // namespace driftbench

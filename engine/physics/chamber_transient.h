@@ -15,6 +15,7 @@
 #include "engine/base/result.h"
 #include "engine/physics/datasheets.h"
 #include "engine/physics/temperature_profile.h"
+#include "engine/physics/test_plan.h"
 
 #include <Eigen/Core>
 
@@ -59,5 +60,19 @@ private:
     double m_edgeM;
     double m_diffusivityM2PerS;
 };
+
+// What a plan must reckon with if nothing stirs the chamber's air.
+struct StillAirOutlook
+{
+    double slowestModeS = 0.0;
+    double settlingS = 0.0;     // of the centre after one step, to within the thermometer's accuracy
+    double rampLagS = 0.0;      // of the centre behind a ramp that is long enough
+    double rampLagC = 0.0;      // the same at the plan's rate
+    double lagAfterRampC = 0.0; // of the centre at the end of a run's first ramp, without sign
+    double lagAtEndC = 0.0;     // at the end of the run
+};
+
+// Errc::InvalidOption as checkTestPlan says.
+Result<StillAirOutlook> stillAirOutlook(const TestPlan &plan);
 
 } // namespace driftbench
