@@ -122,6 +122,8 @@ void TestCliPlan::plan_overrides_reachThePlanFile()
     QVERIFY(plan->sensor.rangeDps == 500.0 && plan->sensor.zeroRateChangeMdpsPerC == 20.0);
     QVERIFY(plan->sensor.zeroRateChangeRangeDps == 1000.0 && plan->sensor.sensitivityChangePercent == 3.0);
     QCOMPARE(runCli({"plan", "--plan", path("plan.json")}).output, outcome.output);
+    // Nothing that is asked for goes under.
+    QCOMPARE(runCli({"plan", "--plan", path("plan.json"), "--step", "1"}).exitCode, 2);
 }
 
 void TestCliPlan::plan_files_areThoseOfTheEngine()
