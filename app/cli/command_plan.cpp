@@ -9,6 +9,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <vector>
 
 namespace driftbench::cli {
 
@@ -209,7 +210,9 @@ void addFileOptions(CLI::App &command, PlanArguments &arguments)
         .add_option("--segments", arguments.segments,
                     "Write a run's holds and ramps in C/min, for a controller that ramps")
         ->type_name("FILE");
-    command.add_option("--plan", arguments.logPlan, "Show or use this plan instead of making one")
+    command
+        .add_option("--plan", arguments.logPlan,
+                    "Use this plan instead of making one, without the options above")
         ->type_name("FILE");
     command
         .add_option(
@@ -235,11 +238,16 @@ void addPlanCommand(CLI::App &program, Invocation &invocation)
         program, "plan",
         "Plans a temperature test from the datasheets of gyro and chamber: steps, period, duration, samples. "
         "Also says how late a chamber follows its set-point.",
-        "driftbench-cli plan --sensor I3G4250D --kind cycle --out plan.json --csv steps.csv");
+        "driftbench-cli plan --sensor I3G4250D --kind cycle --out plan.json");
     addRunOptions(*command, *arguments);
     addSensorSheetOptions(*command, *arguments);
     addChamberSheetOptions(*command, *arguments);
+    const std::vector<CLI::Option *> making = command->get_options();
     addFileOptions(*command, *arguments);
+    for (CLI::Option *option : making) {
+        if (option != command->get_help_ptr())
+            command->get_option("--plan")->excludes(option);
+    }
     addJsonOption(*command, arguments->json);
     command->callback(
         [arguments, &invocation] { invocation.run = [arguments] { return plan(*arguments); }; });
