@@ -69,8 +69,6 @@ private slots:
     void combSensitivities_contact_isTheErrorOfTheComb();
     void scaleFactor_atStraight_isTheSlopeOfEq4();
     void scaleFactor_badTransducer_isRefused();
-    void combDrift_overTemperature_isTheErrorOverTheScale();
-    void combDrift_rangeIntoContact_isRefused();
     void sweepComb_range_hasItsEnds();
     void sweepComb_intoContact_endsThere();
     void sweepComb_badRange_saysWhichInOneSentence_data();
@@ -175,26 +173,6 @@ void TestCombSensitivities::scaleFactor_badTransducer_isRefused()
     QVERIFY(!scaleFactorFfPerDps(comb(), {0.0, 0.1}).ok());
     QVERIFY(!scaleFactorFfPerDps(comb(), {std::nan(""), 0.1}).ok());
     QVERIFY(!scaleFactorFfPerDps(comb(), {1e-3, 2.0}).ok());
-}
-
-void TestCombSensitivities::combDrift_overTemperature_isTheErrorOverTheScale()
-{
-    const CombTransducer transducer{1e-3, 0.1};
-    const auto drift = combDrift(comb(), transducer, 50.0, -40.0, 85.0);
-    QVERIFY(drift.ok());
-    const double scale = *scaleFactorFfPerDps(comb(), transducer);
-    for (const double temperatureC : {-40.0, 0.0, 25.0, 85.0})
-        QCOMPARE((*drift)(temperatureC), *comb().errorFf(temperatureC - 25.0, 0.15) / scale);
-    QCOMPARE((*drift)(25.0), 0.0);
-}
-
-void TestCombSensitivities::combDrift_rangeIntoContact_isRefused()
-{
-    CombParameters longCombs;
-    longCombs.geometry.overlapLengthUm = 100.0;
-    QVERIFY(combDrift(comb(longCombs), {}, 0.0, -40.0, 40.0).ok());
-    QVERIFY(!combDrift(comb(longCombs), {}, 0.0, -40.0, 85.0).ok());
-    QVERIFY(!combDrift(comb(), {}, 1900.0, -40.0, 85.0).ok());
 }
 
 void TestCombSensitivities::sweepComb_range_hasItsEnds()

@@ -1,6 +1,7 @@
 #include "engine/physics/comb_drift.h"
 
 #include "engine/base/text.h"
+#include "engine/physics/comb_transducer.h"
 
 #include <cmath>
 #include <limits>
@@ -22,7 +23,7 @@ struct CombAxisCurve
         const auto errorFf = combs.errorFf(deltaTC, displacementUm);
         if (!errorFf)
             return std::numeric_limits<double>::quiet_NaN();
-        return *errorFf / scaleFfPerDps +
+        return equivalentRateDps(*errorFf, scaleFfPerDps) +
                package.stepDps * std::tanh((temperatureC - package.stepAtC) / package.stepWidthC);
     }
 };
@@ -67,12 +68,12 @@ Result<DriftCurves> combDriftCurves(const CombDrift &drift, const Eigen::Vector3
         const auto combs = CombCapacitor::create(axis.combs);
         if (!combs)
             return combs.error();
-        const auto atRestFf = combs->capacitanceFf(0.0, 0.0);
-        if (!atRestFf)
-            return atRestFf.error();
-        const double k = drift.displacementPerDpsUm;
-        curves.rateDps[i] = CombAxisCurve{*combs, axis.package, (axis.restDps + referenceRateDps[i]) * k,
-                                          k * *atRestFf / axis.combs.geometry.gapUm};
+        const auto scaleFfPerDps = scaleFactorFfPerDps(*combs, {drift.displacementPerDpsUm, 0.0});
+        if (!scaleFfPerDps)
+            return scaleFfPerDps.error();
+        curves.rateDps[i] =
+            CombAxisCurve{*combs, axis.package,
+                          (axis.restDps + referenceRateDps[i]) * drift.displacementPerDpsUm, *scaleFfPerDps};
     }
     return curves;
 }

@@ -18,22 +18,4 @@ Result<double> scaleFactorFfPerDps(const CombCapacitor &comb, const CombTransduc
     return *restFf * perDps / (comb.parameters().geometry.gapUm - transducer.restDisplacementUm);
 }
 
-Result<DriftFunction> combDrift(const CombCapacitor &comb, const CombTransducer &transducer, double rateDps,
-                                double lowestC, double highestC)
-{
-    const auto scale = scaleFactorFfPerDps(comb, transducer);
-    if (!scale)
-        return scale.error();
-    const double displacementUm = transducer.restDisplacementUm + transducer.displacementUmPerDps * rateDps;
-    for (const double endC : {lowestC, highestC}) {
-        const auto errorFf = comb.errorFf(endC - comb.parameters().straightAtC, displacementUm);
-        if (!errorFf)
-            return errorFf.error();
-    }
-    return DriftFunction([comb, displacementUm, scaleFfPerDps = *scale](double temperatureC) {
-        const auto errorFf = comb.errorFf(temperatureC - comb.parameters().straightAtC, displacementUm);
-        return equivalentRateDps(*errorFf, scaleFfPerDps);
-    });
-}
-
 } // namespace driftbench

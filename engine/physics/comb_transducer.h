@@ -10,7 +10,6 @@
 
 #include "engine/base/result.h"
 #include "engine/physics/comb_capacitor.h"
-#include "engine/physics/drift_curves.h"
 
 namespace driftbench {
 
@@ -28,10 +27,5 @@ inline double equivalentRateDps(double errorFf, double scaleFactorFfPerDps)
 {
     return errorFf / scaleFactorFfPerDps;
 }
-
-// The rate error at a rate as a function of temperature, defined from lowestC to highestC. The errors of
-// scaleFactorFfPerDps, and of CombCapacitor::errorFf at either end; between the ends there are none.
-Result<DriftFunction> combDrift(const CombCapacitor &comb, const CombTransducer &transducer, double rateDps,
-                                double lowestC, double highestC);
 
 } // namespace driftbench
