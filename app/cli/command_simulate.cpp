@@ -277,8 +277,7 @@ void addOutputOptions(CLI::App &command, OverrideOptions &overrides)
 {
     command.option_defaults()->group("Noise and output");
     const auto gyro = &SimulationOptions::gyro;
-    overrides.add("--rate", "HZ", gyro, &GyroOptions::sampleRateHz,
-                  "Samples per second, 1 to 10000 and beyond");
+    overrides.add("--rate", "HZ", gyro, &GyroOptions::sampleRateHz, "Samples per second");
     overrides.add("--noise", "DPS", gyro, &GyroOptions::noiseDps,
                   "Standard deviation of the white noise in dps");
     overrides.add("--bias-instability", "DPS", gyro, &GyroOptions::biasInstabilityDps,

@@ -5,7 +5,7 @@
 // squares that the rest displacements of the combs were chosen for:
 //
 //   on the paper's profile, dps^2        before x / y / z   after   left by a straight line beyond that
-//   I3G4250D, reference 25, 5, 53 dps    4.2 / 7.4 / 0.69   0.020   0.0017 / 0.0057 / 0.0067
+//   I3G4250D, reference 25, 5, 53 dps    4.2 / 7.4 / 0.70   0.020   0.0017 / 0.0057 / 0.0067
 //   Tables 2-6, range                    3.85-4.78 / 6.82-8.60 / 0.65-0.73   0.018-0.022
 //   L3GD20H, reference 0                 9.56 on each axis  0.0315  0.0037
 //   Table 1, one axis                    9.55-9.56          0.031-0.032      0.003-0.004
