@@ -6,6 +6,9 @@
 //             saturated and quantised
 //   logged temperature = air(t) + thermometer noise, quantised
 //
+// A set-point acts from one sample before its own on, a step being felt at the sample on which it
+// falls: a lag that is estimated from the samples is short by up to one sampling interval.
+//
 // g_run is the drift curve of this run per axis (drift_curves.h). The hysteresis is a play operator of the
 // die temperature: +-hysteresisDps / 2 on the heating and the cooling branch, 0 at the start. Time in
 // seconds, temperature in degrees Celsius, rate in dps; samples lie at i / sampleRateHz from 0 to the
