@@ -1,5 +1,7 @@
 #include "engine/base/text.h"
 #include "engine/physics/gyro_simulator.h"
+#include "engine/physics/plan_file.h"
+#include "engine/physics/sensor_presets.h"
 #include "support/cli_process.h"
 #include "support/test_data.h"
 
@@ -24,6 +26,8 @@ private slots:
 
     void simulate_defaultCampaign_writesWhatTheEngineSimulates();
     void simulate_everyOption_reachesTheEngine();
+    void simulate_sensor_bringsItsFigures();
+    void simulate_plan_isFollowed();
     void simulate_truth_isTheCurvesOfTheRuns();
     void simulate_sidecar_namesSensorAndReference();
     void simulate_sameSeed_isTheSameBytes();
@@ -72,9 +76,14 @@ bool holds(const QByteArray &csv, const Recording &recording)
     return true;
 }
 
+// The preset of the first sensor on another profile and with another curve.
 SimulationOptions engineOptions(std::string_view profile, std::string_view truth)
 {
-    return {*TemperatureProfile::named(profile), *namedDriftCurves(truth)};
+    SimulationOptions options = *presetSimulation("I3G4250D", Eigen::Vector3d::Zero());
+    options.profile = *TemperatureProfile::named(profile);
+    if (truth != kCombDriftName)
+        options.truth = *namedDriftCurves(truth);
+    return options;
 }
 
 } // namespace
@@ -95,25 +104,37 @@ void TestCliSimulate::simulate_defaultCampaign_writesWhatTheEngineSimulates()
                                           "run5.csv", "run5.csv.meta.json", "truth.json"}));
     for (const int number : {0, 4})
         QVERIFY(holds(bytesOf(out() + "/run" + QString::number(number + 1) + ".csv"),
-                      *simulateRun(engineOptions("paper", "curved"), number)));
+                      *simulateRun(engineOptions("paper", "comb"), number)));
 }
 
 void TestCliSimulate::simulate_everyOption_reachesTheEngine()
 {
-    const Outcome outcome =
-        runCli({"simulate",   "--out",        out(),   "--runs",    "2",          "--seed",
-                "77",         "--profile",    "quick", "--truth",   "steep",      "--spread",
-                "0.01",       "--noise",      "0.2",   "--turn-on", "0.3",        "--reference-rate",
-                "-25,5,53.5", "--rate",       "20",    "--lag",     "3",          "--chamber-lag",
-                "4",          "--hysteresis", "0.1",   "--steps",   "2",          "--motion",
-                "3",          "--gaps",       "1",     "--stairs",  "--outliers", "0.01",
-                "--nan",      "0.02"});
+    const QStringList campaign{"simulate", "--out", out(), "--runs", "2", "--seed", "77"};
+    const QStringList chamber{"--profile", "quick",    "--chamber-lag",       "4",   "--chamber-dead-time",
+                              "2.5",       "--stairs", "--thermometer-noise", "0.02"};
+    const QStringList drift{"--truth",           "steep",      "--spread", "0.01", "--turn-on",    "0.3",
+                            "--reference-rate",  "-25,5,53.5", "--lag",    "3",    "--hysteresis", "0.1",
+                            "--hysteresis-play", "2"};
+    const QStringList output{
+        "--rate",        "20",   "--noise", "0.2", "--bias-instability", "0.01", "--random-walk", "0.001",
+        "--sensitivity", "17.5", "--range", "500"};
+    const QStringList faults{"--steps", "2", "--step-size", "0.7",  "--motion", "3",
+                             "--gaps",  "1", "--outliers",  "0.01", "--nan",    "0.02"};
+    const Outcome outcome = runCli(campaign + chamber + drift + output + faults);
     QCOMPARE(outcome.errors, QByteArray());
     QCOMPARE(outcome.exitCode, 0);
     SimulationOptions options = engineOptions("quick", "steep");
     options.seed = 77;
     options.chamber.lagS = 4.0;
+    options.chamber.deadTimeS = 2.5;
+    options.chamber.thermometerNoiseC = 0.02;
     options.chamber.thermometerCountsPerC = 1.0;
+    options.gyro.biasInstabilityDps = 0.01;
+    options.gyro.rateRandomWalkDpsPerRootS = 0.001;
+    options.gyro.hysteresisPlayC = 2.0;
+    options.gyro.sensitivityMdps = 17.5;
+    options.gyro.rangeDps = 500.0;
+    options.faults.biasStepDps = 0.7;
     options.gyro.sampleRateHz = 20.0;
     options.gyro.referenceRateDps = {-25.0, 5.0, 53.5};
     options.gyro.noiseDps = 0.2;
@@ -129,6 +150,43 @@ void TestCliSimulate::simulate_everyOption_reachesTheEngine()
     QVERIFY(holds(bytesOf(out() + "/run2.csv"), *simulateRun(options, 1)));
 }
 
+void TestCliSimulate::simulate_sensor_bringsItsFigures()
+{
+    const Outcome outcome = runCli({"simulate", "--out", out(), "--runs", "1", "--sensor", "l3gd20h",
+                                    "--range", "2000", "--reference-rate", "500,5,-53"});
+    QCOMPARE(outcome.errors, QByteArray());
+    SimulationOptions options = *presetSimulation("L3GD20H", Eigen::Vector3d::Zero());
+    options.gyro.rangeDps = 2000.0;
+    options.gyro.referenceRateDps = {500.0, 5.0, -53.0};
+    options.truth = *combDriftCurves(*options.combs, options.gyro.referenceRateDps);
+    QVERIFY(holds(bytesOf(out() + "/run1.csv"), *simulateRun(options, 0)));
+    const auto truth = nlohmann::json::parse(bytesOf(out() + "/truth.json").toStdString());
+    QCOMPARE(truth["combs"]["y"]["rest_dps"].get<double>(), options.combs->axes[1].restDps);
+    QCOMPARE(truth["options"]["bias_instability_dps"].get<double>(), options.gyro.biasInstabilityDps);
+}
+
+void TestCliSimulate::simulate_plan_isFollowed()
+{
+    TestPlan plan = *makeTestPlan(*namedSensor("L3GD20H"), *namedChamber("SET-Z-021"));
+    plan.lowestC = 20.0;
+    plan.highestC = 40.0;
+    plan.holdS = 60.0;
+    plan.runs = 2;
+    plan.sampleRateHz = 5.0;
+    const QString path = m_folder->filePath("plan.json");
+    QVERIFY(writePlan(plan, path.toStdString()).ok());
+    const Outcome outcome = runCli({"simulate", "--out", out(), "--plan", path});
+    QCOMPARE(outcome.errors, QByteArray());
+    QCOMPARE(filesIn(out()).size(), 5);
+    SimulationOptions options = *presetSimulation("L3GD20H", Eigen::Vector3d::Zero());
+    options.profile = *plan.profile();
+    options.gyro.sampleRateHz = 5.0;
+    QVERIFY(holds(bytesOf(out() + "/run2.csv"), *simulateRun(options, 1)));
+    QCOMPARE(runCli({"simulate", "--out", out(), "--plan", path, "--profile", "quick"}).exitCode, 2);
+    QCOMPARE(runCli({"simulate", "--out", out(), "--plan", path + "x"}).exitCode,
+             static_cast<int>(Errc::FileNotFound));
+}
+
 void TestCliSimulate::simulate_truth_isTheCurvesOfTheRuns()
 {
     QCOMPARE(runCli({"simulate", "--out", out(), "--runs", "2", "--profile", "quick", "--seed", "5",
@@ -136,7 +194,7 @@ void TestCliSimulate::simulate_truth_isTheCurvesOfTheRuns()
                  .exitCode,
              0);
     const auto truth = nlohmann::json::parse(bytesOf(out() + "/truth.json").toStdString());
-    SimulationOptions options = engineOptions("quick", "curved");
+    SimulationOptions options = engineOptions("quick", "comb");
     options.seed = 5;
     QCOMPARE(truth["seed"].get<int>(), 5);
     QCOMPARE(truth["simulated"].get<bool>(), true);
@@ -240,6 +298,9 @@ void TestCliSimulate::simulate_badOption_saysItInOneSentence_data()
     row({"--spread", "-1"}, kInvalidOption, "spread between runs is -1");
     row({"--lag", "nan"}, kInvalidOption, "lag of the package is nan s");
     row({"--outliers", "2"}, kInvalidOption, "fraction of outliers is 2");
+    row({"--bias-instability", "-1"}, kInvalidOption, "bias instability is -1 dps; give 0 to");
+    row({"--chamber-dead-time", "-1"}, kInvalidOption, "dead time of the chamber is -1 s");
+    row({"--sensor", "MPU6000"}, kInvalidOption, "no datasheet of a gyro \"MPU6000\"");
     row({"--gaps", "-1"}, kInvalidOption, "number of gaps is -1");
     row({"--profile", "desert"}, kInvalidOption, "no temperature profile \"desert\"");
     row({"--truth", "bent"}, kInvalidOption, "no drift curve \"bent\"");

@@ -40,6 +40,7 @@ private slots:
     void read_implausibleUnits_warn_data();
     void read_implausibleUnits_warn();
     void read_blocks_joinToTheWhole();
+    void read_oneColumnNamedTwice_givesItToBoth();
     void read_rawChamberLog_equalsPublishedConversion();
 };
 
@@ -430,6 +431,18 @@ void TestCsvReader::read_blocks_joinToTheWhole()
     QVERIFY(whole);
     for (int i = 0; i < kRows; ++i)
         QCOMPARE(whole->rateDps(i, 2), double(i));
+}
+
+void TestCsvReader::read_oneColumnNamedTwice_givesItToBoth()
+{
+    CsvOptions options;
+    options.columns = {"t", "a", "b", "b", "a"};
+    const auto recording = readText("t,a,b\n0,1,2\n1,3,4\n", options);
+    QVERIFY(recording.ok());
+    QCOMPARE(recording->temperatureC[1], 3.0);
+    QCOMPARE(recording->rateDps(1, 0), 4.0);
+    QCOMPARE(recording->rateDps(1, 1), 4.0);
+    QCOMPARE(recording->rateDps(1, 2), 3.0);
 }
 
 void TestCsvReader::read_rawChamberLog_equalsPublishedConversion()

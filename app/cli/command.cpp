@@ -13,8 +13,10 @@ namespace driftbench::cli {
 
 namespace {
 
-constexpr std::array<AddCommand, 6> kCommands{addInspectCommand,  addSimulateCommand, addFitCommand,
-                                              addEvaluateCommand, addApplyCommand,    addExportCommand};
+// In the order in which a calibration uses them.
+constexpr std::array<AddCommand, 9> kCommands{
+    addPlanCommand,  addSimulateCommand, addInspectCommand, addFitCommand,      addEvaluateCommand,
+    addApplyCommand, addExportCommand,   addPhysicsCommand, addReproduceCommand};
 
 // "25,5,53"
 std::optional<Eigen::Vector3d> threeNumbers(std::string_view text)

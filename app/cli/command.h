@@ -37,6 +37,9 @@ void addEvaluateCommand(CLI::App &program, Invocation &invocation);
 void addExportCommand(CLI::App &program, Invocation &invocation);
 void addFitCommand(CLI::App &program, Invocation &invocation);
 void addInspectCommand(CLI::App &program, Invocation &invocation);
+void addPhysicsCommand(CLI::App &program, Invocation &invocation);
+void addReproduceCommand(CLI::App &program, Invocation &invocation);
+void addPlanCommand(CLI::App &program, Invocation &invocation);
 void addSimulateCommand(CLI::App &program, Invocation &invocation);
 
 std::span<const AddCommand> allCommands();

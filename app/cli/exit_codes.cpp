@@ -52,6 +52,7 @@ constexpr auto kMeanings = std::to_array<Meaning>({
     meaning(Errc::ModelNotUsableHere, "this model can't be used for that"),
     meaning(Errc::VerdictForbids, "the verdict forbids it"),
     meaning(Errc::InvalidOption, "the value of an option can't be"),
+    meaning(Errc::PlanDamaged, "plan file damaged"),
     meaning(Errc::Cancelled, "cancelled"),
 });
 

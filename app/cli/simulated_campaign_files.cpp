@@ -56,11 +56,14 @@ Json optionsJson(const SimulationOptions &options)
     return {{"profile", options.profile.name()},
             {"truth", options.truth.name},
             {"chamber_lag_s", chamber.lagS},
+            {"chamber_dead_time_s", chamber.deadTimeS},
             {"thermometer_noise_C", chamber.thermometerNoiseC},
             {"thermometer_counts_per_C", chamber.thermometerCountsPerC},
             {"sample_rate_hz", gyro.sampleRateHz},
             {"reference_rate_dps", triple(gyro.referenceRateDps)},
             {"noise_dps", gyro.noiseDps},
+            {"bias_instability_dps", gyro.biasInstabilityDps},
+            {"rate_random_walk_dps_per_root_s", gyro.rateRandomWalkDpsPerRootS},
             {"spread", gyro.spread},
             {"turn_on_bias_dps", gyro.turnOnBiasDps},
             {"package_lag_s", gyro.packageLagS},
@@ -69,10 +72,38 @@ Json optionsJson(const SimulationOptions &options)
             {"sensitivity_mdps", gyro.sensitivityMdps},
             {"range_dps", gyro.rangeDps},
             {"bias_steps", faults.biasSteps},
+            {"bias_step_dps", faults.biasStepDps},
             {"motion_bursts", faults.motionBursts},
             {"gaps", faults.gaps},
             {"outlier_fraction", faults.outlierFraction},
             {"non_finite_fraction", faults.nonFiniteFraction}};
+}
+
+Json combsJson(const CombAxis &axis)
+{
+    const auto &[material, geometry, straightAtC] = axis.combs;
+    return {{"expansion_per_C", material.expansionPerC},
+            {"elastic_modulus_GPa", material.elasticModulusGPa},
+            {"poisson_ratio", material.poissonRatio},
+            {"thickness_um", geometry.thicknessUm},
+            {"overlap_length_um", geometry.overlapLengthUm},
+            {"overlap_width_um", geometry.overlapWidthUm},
+            {"gap_um", geometry.gapUm},
+            {"gap_count", geometry.gapCount},
+            {"relative_permittivity", geometry.relativePermittivity},
+            {"straight_at_C", straightAtC},
+            {"rest_dps", axis.restDps},
+            {"package_step_dps", axis.package.stepDps},
+            {"package_step_at_C", axis.package.stepAtC},
+            {"package_step_width_C", axis.package.stepWidthC}};
+}
+
+Json combsJson(const CombDrift &drift)
+{
+    Json json{{"displacement_per_dps_um", drift.displacementPerDpsUm}};
+    for (int axis = 0; axis < kAxisCount; ++axis)
+        json[std::string(kAxisNames[axis])] = combsJson(drift.axes[axis]);
+    return json;
 }
 
 Json sensorJson(const SensorIdentity &sensor)
@@ -167,13 +198,15 @@ public:
 
     Result<SimulatedCampaignFiles> finish()
     {
-        const Json truth{{"simulated", true},
-                         {"seed", m_options.seed},
-                         {"sensor", sensorJson(m_options.sensor)},
-                         {"options", optionsJson(m_options)},
-                         {"temperature_C", m_temperaturesC},
-                         {"curve_dps", curveJson(m_campaign, m_temperaturesC)},
-                         {"runs", m_runTruths}};
+        Json truth{{"simulated", true},
+                   {"seed", m_options.seed},
+                   {"sensor", sensorJson(m_options.sensor)},
+                   {"options", optionsJson(m_options)},
+                   {"temperature_C", m_temperaturesC},
+                   {"curve_dps", curveJson(m_campaign, m_temperaturesC)},
+                   {"runs", m_runTruths}};
+        if (m_options.combs)
+            truth["combs"] = combsJson(*m_options.combs);
         if (const Status ok = m_pending.add(m_written.truth, fileText(truth)); !ok)
             return ok.error();
         if (const Status ok = m_pending.commit(); !ok)

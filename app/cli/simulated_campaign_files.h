@@ -3,7 +3,7 @@
 //   run1.csv.meta.json ...  what a CSV can't say: sensor, that it is simulated, reference rate
 //   truth.json              seed, options, and per axis the true curve every 0.1 C, of the campaign and of
 //   each
-//                           run, with the times of what went wrong in it
+//                           run, with the times of what went wrong in it; the combs, if they make the drift
 // All are written beside their targets first and put in place together at the end, so that an error or a
 // cancel leaves the folder as it was.
 #pragma once

@@ -1,8 +1,8 @@
 #include "app/report/figure_list.h"
 
+#include "app/report/figure_writer.h"
 #include "engine/base/axes.h"
 #include "engine/evaluation/allan.h"
-#include "widgets/figure/figure_export.h"
 #include "widgets/style/role_pens.h"
 #include "widgets/views/allan_view.h"
 #include "widgets/views/before_after_view.h"
@@ -16,44 +16,6 @@
 namespace driftbench {
 
 namespace {
-
-// Saves one figure after another and remembers the first failure.
-class FigureWriter
-{
-public:
-    FigureWriter(std::filesystem::path folder, bool simulated)
-        : m_folder(std::move(folder)), m_simulated(simulated)
-    {
-    }
-
-    void write(PlotView &view, const std::string &stem, const QString &title, const QString &caption)
-    {
-        if (!m_status.ok() || view.isEmpty())
-            return;
-        if (m_simulated)
-            view.setOrigin(QStringLiteral("Simulated data"));
-        const QString origin = m_simulated ? QStringLiteral(" Simulated data.") : QString();
-        for (const char *ending : {".svg", ".pdf", ".png"}) {
-            m_status = saveFigure(view, m_folder / (stem + ending), {title, caption + origin});
-            if (!m_status.ok())
-                return;
-        }
-        m_figures.push_back({stem, title, caption});
-    }
-
-    Result<std::vector<WrittenFigure>> finish()
-    {
-        if (!m_status.ok())
-            return m_status.error();
-        return std::move(m_figures);
-    }
-
-private:
-    std::filesystem::path m_folder;
-    bool m_simulated;
-    Status m_status;
-    std::vector<WrittenFigure> m_figures;
-};
 
 // A run that was held out, with the model that never saw it.
 struct HeldOutRun
@@ -242,7 +204,7 @@ static void writeCentres(const ReportData &data, const Palette &look, FigureWrit
 Result<std::vector<WrittenFigure>> writeFigures(const ReportData &data, const Palette &look,
                                                 const std::filesystem::path &folder)
 {
-    FigureWriter writer(folder, data.simulated);
+    FigureWriter writer(folder, data.simulated ? QStringLiteral("Simulated data") : QString());
     const std::vector<HeldOutRun> heldOut = heldOutRuns(data);
     writeTcqOverTime(data, look, writer);
     writeTcqAgainstTde(data, look, writer);

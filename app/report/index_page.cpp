@@ -121,7 +121,7 @@ static QString comparisonTable(const std::vector<ComparisonRow> &rows)
     return html + QStringLiteral("</table>");
 }
 
-static QString figureBlock(const WrittenFigure &figure)
+QString figureBlock(const WrittenFigure &figure)
 {
     const QString stem = QString::fromStdString(figure.stem).toHtmlEscaped();
     const QString title = figure.title.toHtmlEscaped();
@@ -131,13 +131,18 @@ static QString figureBlock(const WrittenFigure &figure)
         .arg(title, stem, figure.caption.toHtmlEscaped());
 }
 
+QString pageStart(const QString &title, const Palette &look)
+{
+    return QStringLiteral("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+                          "<title>%1</title><style>%2</style></head><body>\n")
+        .arg(title, styleSheet(look));
+}
+
 QString indexPage(const ReportData &data, const std::vector<WrittenFigure> &figures, const Palette &look)
 {
     const QString origin = data.simulated ? QStringLiteral("Simulated data") : QStringLiteral("Real log");
     const QString sensor = data.sensor.empty() ? QStringLiteral("unknown sensor") : escaped(data.sensor);
-    QString html = QStringLiteral("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
-                                  "<title>Temperature drift, %1</title><style>%2</style></head><body>\n")
-                       .arg(sensor, styleSheet(look));
+    QString html = pageStart(QStringLiteral("Temperature drift, %1").arg(sensor), look);
     html += QStringLiteral("<h1>Temperature drift, %1<span class=\"chip\">%2</span></h1>"
                            "<p class=\"muted\">%3 runs · judged %4 · reference temperature %5 °C</p>\n")
                 .arg(sensor, origin)

@@ -10,6 +10,11 @@
 
 namespace driftbench {
 
+// For other pages in the same look: all up to the body's first line, and one figure with its caption and
+// links. The title is HTML.
+QString pageStart(const QString &title, const Palette &look);
+QString figureBlock(const WrittenFigure &figure);
+
 QString indexPage(const ReportData &data, const std::vector<WrittenFigure> &figures, const Palette &look);
 
 } // namespace driftbench

@@ -46,6 +46,7 @@ enum class Errc
 
     VerdictForbids = 50,
     InvalidOption = 60,
+    PlanDamaged = 61,
     Cancelled = 70,
 };
 

@@ -128,6 +128,7 @@ void CsvScanner::prepareFastWay()
     const std::size_t last = *std::max_element(m_layout.fields.begin(), m_layout.fields.end());
     m_slots.assign(last + 1, -1);
     for (std::size_t quantity = 0; quantity < kCsvQuantityCount; ++quantity) {
+        m_sharedColumn |= m_slots[m_layout.fields[quantity]] >= 0;
         m_slots[m_layout.fields[quantity]] = static_cast<int>(quantity);
         m_scaled |= !m_layout.scales[quantity].isIdentity();
     }
@@ -175,7 +176,7 @@ bool CsvScanner::fillLine()
 
 const char *CsvScanner::scanFast(const char *at, std::array<double, kCsvQuantityCount> &values) const
 {
-    if (*at == '#' || *at == '%' || *at == '/')
+    if (m_sharedColumn || *at == '#' || *at == '%' || *at == '/')
         return nullptr;
     const char separator = m_layout.separator;
     for (std::size_t field = 0;; ++field) {

@@ -80,6 +80,7 @@ private:
 
     std::vector<int> m_slots; // per field up to the last that is needed: its quantity, or -1
     bool m_scaled = false;
+    bool m_sharedColumn = false; // one field for several quantities: the careful way only
 
     const char *m_at = nullptr;       // where the next row begins
     const char *m_linesEnd = nullptr; // behind the last whole line in the window

@@ -6,14 +6,16 @@
 //   thickness          a1(x) = a0 + K x^2                                                      (Eq. 8)
 //   gap                d1(x) = d0 - K (2 x^2 - 2 b0 x + b0^2),  0 <= x <= b0                   (Eq. 9)
 //   overlap            b1 = b0 (1 + 2 alpha dT),  c1 = c0 (1 + 2 alpha dT)                     (Eqs. 5, 6)
-//   capacitance        C'(dd) = n eps/(4 pi k) (b1 c1 / b0) I(d0 - dd),  I(D) = integral of dx / (d1(x) - d0
-//   + D) change by rotation dC' = C'(dd) - C'(0);  dC = the same at dT = 0                          (Eqs. 4,
-//   10) error              dE = dC' - dC                                                           (Eq. 11)
+//   capacitance        C'(dd) = n eps/(4 pi k) (b1 c1 / b0) I(d0 - dd),
+//                      I(D) = integral of dx / (d1(x) - d0 + D) over 0 ... b0
+//   change by rotation dC' = C'(dd) - C'(0);  dC = the same at dT = 0                          (Eqs. 4, 10)
+//   error              dE = dC' - dC                                                           (Eq. 11)
 // Closed form of I with kappa = 2 K and D the rest gap:
 //   dT > 0   ln[(s + b0/2) / (s - b0/2)] / sqrt(kappa (D - kappa b0^2/4)),  s = sqrt(D/kappa - b0^2/4)
 //   dT < 0   2 / (|kappa| r) atan(b0 / (2 r)),  r = sqrt(D/|kappa| + b0^2/4)
 //   dT = 0   b0 / D
 // which are one analytic function of dT. The combs touch when D <= kappa b0^2 / 2, first at their ends.
+// How the differences keep their digits is said in comb_formula.h.
 //
 // eps/(4 pi k) is the permittivity of the gap (k the electrostatic constant of Coulomb's law), 8.854 aF/um in
 // vacuum or air. Lengths in micrometres, capacitances in femtofarads, temperatures in degrees Celsius.
@@ -50,8 +52,9 @@ struct CombParameters
     double straightAtC = 25.0; // T0
 };
 
-// corrected: the formulas above. asPrinted: the paper's Eq. (10), whose closed form for dT > 0 stands with
-// half of the right prefactor and one length too many; for showing the factor, never for use.
+// Corrected: the formulas above. AsPrinted: the last line of the paper's Eq. (10) to the letter, which has
+// half of the right prefactor and one length too many: dC' in fF um, b0 / 2 times the right figure. It exists
+// only for alpha dT > 0. For showing the factor, never for use.
 enum class CombFormula
 {
     Corrected,
@@ -73,13 +76,15 @@ public:
     double overlapLengthUm(double deltaTC) const;
     double overlapWidthUm(double deltaTC) const;
 
-    // The temperature at which the combs touch while displaced; above it nothing below is defined.
+    // The temperature at which the combs touch while displaced; above it nothing below is defined. Infinite
+    // without expansion; with a negative coefficient the combs touch below it.
     double contactTemperatureC(double displacementUm) const;
 
     // C'(dd) at one temperature. Errc::InvalidOption that names the temperature of contact where the combs
     // touch, or absolute zero where T is below it.
     Result<double> capacitanceFf(double deltaTC, double displacementUm) const;
-    // dC at T0, dC' and dE at T0 + dT. The same errors.
+    // dC at T0, dC' and dE at T0 + dT. The same errors, also where the combs at rest touch; AsPrinted where
+    // it has no value.
     Result<double> restChangeFf(double displacementUm) const;
     Result<double> changeFf(double deltaTC, double displacementUm,
                             CombFormula formula = CombFormula::Corrected) const;
@@ -88,6 +93,9 @@ public:
 
 private:
     explicit CombCapacitor(const CombParameters &parameters) : m_parameters(parameters) {}
+
+    Status check(double deltaTC, double displacementUm) const;       // one state of the combs
+    Status checkChange(double deltaTC, double displacementUm) const; // and the rest it is compared with
 
     CombParameters m_parameters;
 };

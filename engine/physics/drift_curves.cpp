@@ -101,8 +101,9 @@ Result<DriftCurves> namedDriftCurves(std::string_view name)
     std::string known;
     for (const std::string_view each : kDriftCurveNames)
         known += (known.empty() ? "" : ", ") + std::string(each);
-    return Error{Errc::InvalidOption,
-                 "There is no drift curve \"" + std::string(name) + "\"; choose one of " + known + "."};
+    return Error{Errc::InvalidOption, "There is no drift curve \"" + std::string(name) +
+                                          "\"; choose one of " + known +
+                                          ", or comb, that of a sensor's combs."};
 }
 
 DriftCurves withRunSpread(const DriftCurves &curves, double spread, double turnOnBiasDps, Random random)

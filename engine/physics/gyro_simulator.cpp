@@ -19,6 +19,8 @@ enum class Purpose : std::uint64_t
     Gaps = 6,
     Outliers = 7,
     NonFinite = 8,
+    Flicker = 9,
+    RateRandomWalk = 10,
 };
 
 Random forkFor(const Random &run, Purpose purpose)
@@ -68,6 +70,9 @@ GyroSimulator::GyroSimulator(const SimulationOptions &options, const Random &ran
     , m_drift(runTruth(options, random))
     , m_faults(drawEvents(options, random))
     , m_hasEvents(!m_faults.events().empty())
+    , m_flicker(options.gyro.biasInstabilityDps, options.gyro.sampleRateHz, forkFor(random, Purpose::Flicker))
+    , m_walk(options.gyro.rateRandomWalkDpsPerRootS, options.gyro.sampleRateHz,
+             forkFor(random, Purpose::RateRandomWalk))
     , m_countsPerDps(options.gyro.sensitivityMdps > 0.0 ? 1000.0 / options.gyro.sensitivityMdps : 0.0)
     , m_noise(forkFor(random, Purpose::RateNoise))
     , m_thermometer(forkFor(random, Purpose::ThermometerNoise))
@@ -91,32 +96,43 @@ void GyroSimulator::step()
 {
     const double timeS = static_cast<double>(m_index++) / m_options.gyro.sampleRateHz;
     const auto &steps = m_options.profile.steps();
-    while (m_profileStep + 1 < steps.size() && steps[m_profileStep + 1].startS <= timeS)
+    const double reachingS = timeS - m_options.chamber.deadTimeS;
+    while (m_profileStep + 1 < steps.size() && steps[m_profileStep + 1].startS <= reachingS)
         ++m_profileStep;
     const double airC = m_air.advance(steps[m_profileStep].setpointC);
     m_die.advance(airC);
     if (m_hasEvents)
         m_faults.advance(timeS);
     m_lost = m_faults.sampleLost();
+    advanceSlowNoise();
 
     const ChamberOptions &chamber = m_options.chamber;
     const GyroOptions &gyro = m_options.gyro;
-    const double readC = airC + chamber.thermometerNoiseC * m_thermometer.normal();
     m_sample.timeS = timeS;
-    m_sample.temperatureC =
-        chamber.thermometerCountsPerC > 0.0
-            ? rounded(readC * chamber.thermometerCountsPerC) / chamber.thermometerCountsPerC
-            : readC;
+    m_sample.temperatureC = airC + chamber.thermometerNoiseC * m_thermometer.next();
     const auto drift = m_drift.at(m_die.value());
     const double commonDps = commonRateDps();
     for (int axis = 0; axis < kAxisCount; ++axis) {
-        const double trueDps =
-            gyro.referenceRateDps[axis] + drift.rateDps(axis) + m_faults.rateDps()[axis] + commonDps;
-        m_sample.rateDps[axis] = measuredDps(trueDps + gyro.noiseDps * m_noise.normal());
+        const double trueDps = gyro.referenceRateDps[axis] + drift.rateDps(axis) + m_faults.rateDps()[axis] +
+                               m_slowNoiseDps[axis] + commonDps;
+        m_sample.rateDps[axis] = trueDps + gyro.noiseDps * m_noise.next();
     }
     if (m_options.faults.nonFiniteFraction > 0.0 &&
         m_nonFinite.uniform() < m_options.faults.nonFiniteFraction)
         m_sample.rateDps.setConstant(std::numeric_limits<double>::quiet_NaN());
+}
+
+void GyroSimulator::advanceSlowNoise()
+{
+    const GyroOptions &gyro = m_options.gyro;
+    if (gyro.biasInstabilityDps > 0.0) {
+        m_flicker.advance();
+        m_slowNoiseDps = m_flicker.rateDps();
+    }
+    if (gyro.rateRandomWalkDpsPerRootS > 0.0) {
+        m_walk.advance();
+        m_slowNoiseDps = m_flicker.rateDps() + m_walk.rateDps();
+    }
 }
 
 // The sum that all axes share: hysteresis and outliers.
@@ -134,23 +150,38 @@ double GyroSimulator::commonRateDps()
     return rateDps;
 }
 
-// As the gyro puts it out: saturated, then in whole counts.
-double GyroSimulator::measuredDps(double rateDps) const
+// As thermometer and gyro put it out. Column by column, which the compiler turns into vector instructions.
+void GyroSimulator::putOut(Eigen::Ref<Eigen::VectorXd> temperatureC,
+                           Eigen::Ref<Eigen::MatrixX3d> rateDps) const
 {
+    const ChamberOptions &chamber = m_options.chamber;
     const GyroOptions &gyro = m_options.gyro;
-    const double saturatedDps = std::clamp(rateDps, -gyro.rangeDps, gyro.rangeDps);
-    if (gyro.sensitivityMdps == 0.0)
-        return saturatedDps;
-    // Counts times mdps, then / 1000: the double next to the decimal fraction, so that it prints short.
-    return rounded(saturatedDps * m_countsPerDps) * gyro.sensitivityMdps / 1000.0;
+    if (chamber.thermometerCountsPerC > 0.0) {
+        for (double &value : temperatureC)
+            value = rounded(value * chamber.thermometerCountsPerC) / chamber.thermometerCountsPerC;
+    }
+    for (int axis = 0; axis < kAxisCount; ++axis) {
+        auto column = rateDps.col(axis);
+        for (double &value : column)
+            value = std::clamp(value, -gyro.rangeDps, gyro.rangeDps);
+        if (gyro.sensitivityMdps == 0.0)
+            continue;
+        // Counts times mdps, then / 1000: the double next to the decimal fraction, so that it prints short.
+        for (double &value : column)
+            value = rounded(value * m_countsPerDps) * gyro.sensitivityMdps / 1000.0;
+    }
 }
 
 std::optional<GyroSample> GyroSimulator::next()
 {
     while (m_index < m_sampleCount) {
         step();
-        if (!m_lost)
-            return m_sample;
+        if (m_lost)
+            continue;
+        Eigen::Matrix<double, 1, 1> temperatureC{m_sample.temperatureC};
+        Eigen::Matrix<double, 1, kAxisCount> rateDps = m_sample.rateDps.transpose();
+        putOut(temperatureC, rateDps);
+        return GyroSample{m_sample.timeS, temperatureC[0], rateDps.transpose()};
     }
     return std::nullopt;
 }
@@ -168,6 +199,7 @@ Eigen::Index GyroSimulator::fill(SampleBlock &block)
             block.rateDps(row, axis) = m_sample.rateDps[axis];
         ++row;
     }
+    putOut(block.temperatureC.head(row), block.rateDps.topRows(row));
     return row;
 }
 

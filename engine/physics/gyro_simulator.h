@@ -1,14 +1,19 @@
 // A simulated gyro on a temperature chamber, sample by sample, in blocks or as a whole recording.
 //
-//   air(t)  = set-point of the profile behind the chamber's lag (first order)
+//   air(t)  = set-point of the profile behind the chamber's dead time and its lag (first order)
 //   die(t)  = air(t) behind the package's lag (first order)
-//   rate(t) = reference + g_run(die) + hysteresis(die) + bias steps + motion + noise, saturated and quantised
+//   rate(t) = reference + g_run(die) + hysteresis(die) + bias steps + motion + flicker + walk + noise,
+//             saturated and quantised
 //   logged temperature = air(t) + thermometer noise, quantised
+//
+// A set-point acts from one sample before its own on, a step being felt at the sample on which it
+// falls: a lag that is estimated from the samples is short by up to one sampling interval.
 //
 // g_run is the drift curve of this run per axis (drift_curves.h). The hysteresis is a play operator of the
 // die temperature: +-hysteresisDps / 2 on the heating and the cooling branch, 0 at the start. Time in
 // seconds, temperature in degrees Celsius, rate in dps; samples lie at i / sampleRateHz from 0 to the
-// profile's end.
+// profile's end. The noise is white: with a standard deviation of sigma its Allan deviation is N / sqrt(tau),
+// N = sigma / sqrt(rate).
 //
 // All random numbers come from generators forked per run and purpose from one seed: the same options give the
 // same samples however they are fetched, and an option never shifts the random numbers of another. The
@@ -20,7 +25,9 @@
 #include "engine/base/result.h"
 #include "engine/physics/drift_curves.h"
 #include "engine/physics/first_order_lag.h"
+#include "engine/physics/flicker_noise.h"
 #include "engine/physics/play_operator.h"
+#include "engine/physics/rate_random_walk.h"
 #include "engine/physics/simulated_faults.h"
 #include "engine/physics/simulation_options.h"
 #include "engine/recording/recording.h"
@@ -63,8 +70,9 @@ private:
     GyroSimulator(const SimulationOptions &options, const Random &random);
 
     void step();
+    void advanceSlowNoise();
     double commonRateDps();
-    double measuredDps(double rateDps) const;
+    void putOut(Eigen::Ref<Eigen::VectorXd> temperatureC, Eigen::Ref<Eigen::MatrixX3d> rateDps) const;
 
     SimulationOptions m_options;
     std::int64_t m_sampleCount;
@@ -76,9 +84,12 @@ private:
     DriftTable m_drift;
     FaultPlayer m_faults;
     bool m_hasEvents;
+    FlickerNoise m_flicker;
+    RateRandomWalk m_walk;
+    Eigen::Vector3d m_slowNoiseDps = Eigen::Vector3d::Zero(); // of both
     double m_countsPerDps;
-    Random m_noise;
-    Random m_thermometer;
+    NormalStream m_noise;
+    NormalStream m_thermometer;
     Random m_outliers;
     Random m_nonFinite;
     bool m_lost = false;

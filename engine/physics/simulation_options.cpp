@@ -74,11 +74,26 @@ Status checkReferenceRate(const GyroOptions &gyro)
     return {};
 }
 
+// Combs that touch have no rate.
+Status checkTruth(const SimulationOptions &options)
+{
+    for (const double temperatureC : {options.profile.lowestC(), options.profile.highestC()}) {
+        for (const DriftFunction &axis : options.truth.rateDps) {
+            if (!std::isfinite(axis(temperatureC)))
+                return Error{Errc::InvalidOption, "The drift curve " + options.truth.name +
+                                                      " is not defined at " + inFull(temperatureC) +
+                                                      " °C, which the profile reaches; choose a profile "
+                                                      "or a drift curve that suits."};
+        }
+    }
+    return {};
+}
+
 } // namespace
 
 Status checkOptions(const SimulationOptions &options)
 {
-    const auto &[lagS, thermometerNoiseC, thermometerCountsPerC] = options.chamber;
+    const auto &[lagS, deadTimeS, thermometerNoiseC, thermometerCountsPerC] = options.chamber;
     const GyroOptions &gyro = options.gyro;
     const FaultOptions &faults = options.faults;
     if (const Status ok = checkPositive("sampling rate", gyro.sampleRateHz, " Hz", kHighestSampleRateHz); !ok)
@@ -89,9 +104,12 @@ Status checkOptions(const SimulationOptions &options)
         return ok;
     for (const Bound &bound : {
              Bound{"lag of the chamber", lagS, " s", 0.0, kLarge},
+             Bound{"dead time of the chamber", deadTimeS, " s", 0.0, kLarge},
              Bound{"noise of the thermometer", thermometerNoiseC, " °C", 0.0, 100.0},
              Bound{"resolution of the thermometer", thermometerCountsPerC, " counts/°C", 0.0, kLarge},
              Bound{"noise of the rate", gyro.noiseDps, " dps", 0.0, kLarge},
+             Bound{"bias instability", gyro.biasInstabilityDps, " dps", 0.0, kLarge},
+             Bound{"rate random walk", gyro.rateRandomWalkDpsPerRootS, " dps/√s", 0.0, kLarge},
              Bound{"spread between runs", gyro.spread, "", 0.0, 1.0},
              Bound{"turn-on bias", gyro.turnOnBiasDps, " dps", 0.0, kLarge},
              Bound{"lag of the package", gyro.packageLagS, " s", 0.0, kLarge},
@@ -112,6 +130,8 @@ Status checkOptions(const SimulationOptions &options)
             return ok;
     }
     if (const Status ok = checkReferenceRate(gyro); !ok)
+        return ok;
+    if (const Status ok = checkTruth(options); !ok)
         return ok;
     return checkSampleCount(options);
 }
