@@ -54,6 +54,19 @@ constexpr auto kMeanings = std::to_array<Meaning>({
     meaning(Errc::InvalidOption, "the value of an option can't be"),
     meaning(Errc::PlanDamaged, "plan file damaged"),
     meaning(Errc::Cancelled, "cancelled"),
+    meaning(Errc::DeviceNotFound, "no such device"),
+    meaning(Errc::DeviceNotPermitted, "device found, but not permitted"),
+    meaning(Errc::DeviceHeldByKernel, "a kernel driver holds the device"),
+    meaning(Errc::DeviceInUse, "another program holds the device"),
+    meaning(Errc::DeviceUnplugged, "device unplugged"),
+    meaning(Errc::DeviceSilent, "device does not answer"),
+    meaning(Errc::DeviceRefused, "device refused"),
+    meaning(Errc::ProtocolVersion, "another version of the bridge protocol"),
+    meaning(Errc::WrongSensor, "another sensor than expected"),
+    meaning(Errc::BusNoAcknowledge, "nothing answers on the I2C bus at that address"),
+    meaning(Errc::BusStuck, "I2C bus stuck"),
+    meaning(Errc::DamagedReport, "damaged report from the device"),
+    meaning(Errc::TableMismatch, "table on the device differs from what was written"),
 });
 
 } // namespace

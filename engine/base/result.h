@@ -48,6 +48,20 @@ enum class Errc
     InvalidOption = 60,
     PlanDamaged = 61,
     Cancelled = 70,
+
+    DeviceNotFound = 80,
+    DeviceNotPermitted = 81,
+    DeviceHeldByKernel = 82,
+    DeviceInUse = 83,
+    DeviceUnplugged = 84,
+    DeviceSilent = 85,
+    DeviceRefused = 86,
+    ProtocolVersion = 87,
+    WrongSensor = 88,
+    BusNoAcknowledge = 89,
+    BusStuck = 90,
+    DamagedReport = 91,
+    TableMismatch = 92,
 };
 
 struct Error
