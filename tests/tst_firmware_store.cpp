@@ -31,7 +31,7 @@ private slots:
 namespace {
 
 constexpr std::uint32_t kBankBytes = 2048;
-constexpr int kTornSeeds = 12;
+constexpr int kTornSeeds = 50;
 
 // Known images: what a bank holds must be one of them, whole.
 struct Scene
@@ -243,7 +243,7 @@ void TestFirmwareStore::install_cutTwice_oldOrNewWhole()
     int cuts = 0;
     for (int first = 0; first < operations; ++first) {
         for (int second = 0; second < operations; ++second) {
-            for (std::uint64_t seed = 0; seed < 3; ++seed) {
+            for (std::uint64_t seed = 0; seed < 8; ++seed) {
                 RamFlash flash(scene.flash);
                 FirmwareDevice device(flash);
                 flash.cutPowerAt(first, PowerCut::Torn, seed + 10);
