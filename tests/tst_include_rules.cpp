@@ -46,6 +46,15 @@ QString offence(const QString &file, const QString &included)
         if (included.startsWith("hidapi") && !file.endsWith("/hidapi_transport.cpp"))
             return "only hidapi_transport.cpp includes hidapi.h";
     }
+    if (file.startsWith("device/firmware/")) {
+        static const QRegularExpression core("^(std(bool|int)\\.h|device/firmware/bridge_\\w+\\.h|"
+                                             "device/bridge/bridge_protocol\\.h|"
+                                             "engine/exports/device_image_layout\\.h)$");
+        static const QRegularExpression board("^(stddef\\.h|semihosting\\.h)$");
+        if (!core.match(included).hasMatch() &&
+            !(file.startsWith("device/firmware/cortex_m/") && board.match(included).hasMatch()))
+            return "the firmware core is copied with itself and two headers, and has no library";
+    }
     if (file.startsWith("app/cli") && (target == "widgets" || included.startsWith("app/gui")))
         return "the command line links neither widgets nor gui";
     return {};
@@ -98,6 +107,9 @@ void TestIncludeRules::rules_knownOffence_isFound()
     QVERIFY(!offence("widgets/x.h", "device/y.h").isEmpty());
     QVERIFY(!offence("device/x.cpp", "hidapi/hidapi.h").isEmpty());
     QVERIFY(offence("device/hidapi_transport.cpp", "hidapi/hidapi.h").isEmpty());
+    QVERIFY(!offence("device/firmware/x.c", "string.h").isEmpty());
+    QVERIFY(!offence("device/firmware/x.c", "engine/exports/device_image.h").isEmpty());
+    QVERIFY(offence("device/firmware/x.c", "engine/exports/device_image_layout.h").isEmpty());
     QVERIFY(!offence("app/cli/x.cpp", "widgets/y.h").isEmpty());
 }
 

@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: MIT
  *
- * Wire protocol v1 of the native gyro bridge: a USB-HID device with one gyro, a thermometer and two banks for
- * compensation tables. docs/bridge-protocol.md explains it; this header is its only source of numbers, for
- * the firmware (C99) and for the host (C++).
+ * Wire protocol v1 of the native gyro bridge: a USB-HID device with one gyro, thermometers and two banks for
+ * compensation tables. docs/bridge-protocol.md explains it; this header and the layout of the table image are
+ * its only source of numbers, for the firmware (C99) and for the host (C++).
  *
- * Every report has 64 bytes, the first of which is the report id. All numbers are little-endian; a field is
- * read and written byte by byte (BRIDGE_GET_*, BRIDGE_PUT_*), so alignment and byte order of the machine
- * don't matter. Bytes that no field names are 0 when sent and ignored when received.
+ * Every report has 64 bytes, the first of which is the report id. Bytes that no field names are 0 when sent
+ * and ignored when received.
  */
 #ifndef DRIFTBENCH_BRIDGE_PROTOCOL_H
 #define DRIFTBENCH_BRIDGE_PROTOCOL_H
+
+#include "engine/exports/device_image_layout.h"
 
 #include <stdint.h>
 
@@ -23,30 +24,30 @@
 
 #define BRIDGE_REPORT_SIZE 64u
 
-/* Report ids --------------------------------------------------------------------------------------------- */
+/* Report ids ----------------------------------------------------------------------------------------------
+ */
 
-#define BRIDGE_REPORT_SAMPLES 0x01u /* input */
-#define BRIDGE_REPORT_INFO 0x10u    /* feature, get */
-#define BRIDGE_REPORT_CONFIG 0x11u  /* feature, get and set */
-#define BRIDGE_REPORT_STATUS 0x12u  /* feature, get */
-#define BRIDGE_REPORT_BEGIN 0x20u   /* feature, set: table upload begins, the spare bank is erased */
-#define BRIDGE_REPORT_CHUNK 0x21u   /* feature, set: the next bytes of the table image */
-#define BRIDGE_REPORT_READ 0x22u    /* feature, set: choose bytes of a bank; get: those bytes */
-#define BRIDGE_REPORT_VERIFY 0x23u  /* feature, set: compare the spare bank with what begin announced */
-#define BRIDGE_REPORT_COMMIT 0x24u  /* feature, set: the verified image becomes a bank that may be activated \
-                                     */
-#define BRIDGE_REPORT_ACTIVATE 0x25u /* feature, set: compensate with the committed bank from now on */
-#define BRIDGE_REPORT_ROLLBACK                                                                               \
-    0x26u /* feature, set: revoke the active bank; the other, if valid, takes over */
+#define BRIDGE_REPORT_SAMPLES 0x01u  /* input */
+#define BRIDGE_REPORT_INFO 0x10u     /* feature, get */
+#define BRIDGE_REPORT_CONFIG 0x11u   /* feature, get and set */
+#define BRIDGE_REPORT_STATUS 0x12u   /* feature, get */
+#define BRIDGE_REPORT_BEGIN 0x20u    /* feature, set: announces a table image */
+#define BRIDGE_REPORT_CHUNK 0x21u    /* feature, set: its next bytes; the first chunk erases the spare bank */
+#define BRIDGE_REPORT_READ 0x22u     /* feature, set: choose bytes of a bank; get: those bytes */
+#define BRIDGE_REPORT_VERIFY 0x23u   /* feature, set: compare the spare bank with what begin announced */
+#define BRIDGE_REPORT_COMMIT 0x24u   /* feature, set: the verified image may be activated from now on */
+#define BRIDGE_REPORT_ACTIVATE 0x25u /* feature, set: compensate with a committed bank from now on */
+#define BRIDGE_REPORT_ROLLBACK 0x26u /* feature, set: revoke the active bank; the other one takes over */
 
-/* Input report 0x01: samples ----------------------------------------------------------------------------- */
+/* Input report 0x01: samples ------------------------------------------------------------------------------
+ */
 
-#define BRIDGE_SAMPLES_FLAGS 1u     /* u8, BRIDGE_FLAG_* */
-#define BRIDGE_SAMPLES_COUNT 2u     /* u8, 1 .. BRIDGE_SAMPLES_PER_REPORT */
-#define BRIDGE_SAMPLES_SATURATED 3u /* u8, bit i: an axis of sample i stands at its limit */
-#define BRIDGE_SAMPLES_SEQUENCE 4u  /* u16, of the report; wraps. A step of more than 1: reports were lost */
-#define BRIDGE_SAMPLES_TIME 6u      /* u32, us, device clock at the first sample; wraps after 71.6 minutes */
-#define BRIDGE_SAMPLES_INTERVAL 10u /* u32, ns between two samples of the report */
+#define BRIDGE_SAMPLES_FLAGS 1u            /* u8, BRIDGE_FLAG_* */
+#define BRIDGE_SAMPLES_COUNT 2u            /* u8, 1 .. BRIDGE_SAMPLES_PER_REPORT */
+#define BRIDGE_SAMPLES_SATURATED 3u        /* u8, bit i: an axis of sample i stands at its limit */
+#define BRIDGE_SAMPLES_SEQUENCE 4u         /* u16, of the report; wraps. A step over 1: reports were lost */
+#define BRIDGE_SAMPLES_TIME 6u             /* u32, us, device clock at the first sample; wraps (71.6 min) */
+#define BRIDGE_SAMPLES_INTERVAL 10u        /* u32, ns between two samples of the report; 0 with one sample */
 #define BRIDGE_SAMPLES_DIE_MILLIC 14u      /* i32, millidegrees Celsius at the first sample */
 #define BRIDGE_SAMPLES_EXTERNAL_MILLIC 18u /* i32, the same of the external thermometer */
 #define BRIDGE_SAMPLES_RATES 22u           /* i16 counts of x, y, z, then the next sample */
@@ -56,10 +57,11 @@
 #define BRIDGE_FLAG_COMPENSATED 0x01u    /* the table was taken off before the rates were sent */
 #define BRIDGE_FLAG_OVERRUN 0x02u        /* samples were lost inside the device just before this report */
 #define BRIDGE_FLAG_EXTERNAL_VALID 0x04u /* an external thermometer was read */
-#define BRIDGE_FLAG_DIE_VALID 0x08u
-#define BRIDGE_FLAG_OUTSIDE_TABLE 0x10u /* compensated, and the temperature lies outside the table */
+#define BRIDGE_FLAG_DIE_VALID 0x08u      /* the thermometer on the die was read */
+#define BRIDGE_FLAG_OUTSIDE_TABLE 0x10u  /* compensated, and the temperature lies outside the table */
 
-/* Feature report 0x10: info ------------------------------------------------------------------------------ */
+/* Feature report 0x10: info -------------------------------------------------------------------------------
+ */
 
 #define BRIDGE_INFO_MAJOR 1u        /* u8 */
 #define BRIDGE_INFO_MINOR 2u        /* u8 */
@@ -72,34 +74,30 @@
 #define BRIDGE_INFO_MAX_RATE 40u    /* u32, mHz */
 #define BRIDGE_INFO_BANK_BYTES 44u  /* u32: the longest table image that a bank takes */
 #define BRIDGE_INFO_RANGE_TABLE 48u /* per range: u16 dps full scale, u16 sensitivity in 10 udps a count */
+#define BRIDGE_RANGE_SIZE 4u
 #define BRIDGE_RANGES 4u
-#define BRIDGE_MODEL_SIZE 12u
-#define BRIDGE_SERIAL_SIZE 16u
 
 #define BRIDGE_CAN_EXTERNAL 0x01u /* has an external thermometer */
 #define BRIDGE_CAN_FIXED 0x02u    /* takes fixed-point tables */
 #define BRIDGE_CAN_FLOAT 0x04u    /* takes float32 tables */
 
-/* Feature report 0x11: configuration --------------------------------------------------------------------- */
+/* Feature report 0x11: configuration ----------------------------------------------------------------------
+ */
 
 #define BRIDGE_CONFIG_RATE 1u       /* u32, mHz */
 #define BRIDGE_CONFIG_RANGE 5u      /* u8, index into the ranges of info */
 #define BRIDGE_CONFIG_STREAM 6u     /* u8, 1: send input reports */
 #define BRIDGE_CONFIG_COMPENSATE 7u /* u8, 1: take the active table off; without one the setting is refused  \
                                      */
-#define BRIDGE_CONFIG_THERMOMETER                                                                            \
-    8u /* u8, BRIDGE_THERMOMETER_*: which temperature the table is looked up with */
 
-#define BRIDGE_THERMOMETER_DIE 0u
-#define BRIDGE_THERMOMETER_EXTERNAL 1u
-
-/* Feature report 0x12: status ---------------------------------------------------------------------------- */
+/* Feature report 0x12: status -----------------------------------------------------------------------------
+ */
 
 #define BRIDGE_STATUS_COMMAND 1u      /* u8, report id of the last set command */
 #define BRIDGE_STATUS_RESULT 2u       /* u8, BRIDGE_RESULT_* of that command */
 #define BRIDGE_STATUS_ACTIVE 3u       /* u8, bank in use, or BRIDGE_NO_BANK */
-#define BRIDGE_STATUS_PRODUCED 4u     /* u32, samples taken since power-up */
-#define BRIDGE_STATUS_DROPPED 8u      /* u32, of those, lost inside the device */
+#define BRIDGE_STATUS_PRODUCED 4u     /* u32, samples taken while streaming since power-up; wraps */
+#define BRIDGE_STATUS_DROPPED 8u      /* u32, of those, lost inside the device; wraps */
 #define BRIDGE_STATUS_RECEIVED 12u    /* u32, bytes of the running upload that are in the flash */
 #define BRIDGE_STATUS_BANK_STATES 16u /* u8 of bank 0, u8 of bank 1: BRIDGE_BANK_* */
 #define BRIDGE_STATUS_BANKS 18u       /* per bank: u32 generation, u32 image bytes, u32 CRC-32 of the image */
@@ -115,19 +113,20 @@
 
 #define BRIDGE_RESULT_OK 0u
 #define BRIDGE_RESULT_UNKNOWN_COMMAND 1u
-#define BRIDGE_RESULT_BAD_LENGTH 2u     /* a report or an image of a length that can't be */
+#define BRIDGE_RESULT_BAD_LENGTH 2u     /* a report, an image or a chunk of a length that can't be */
 #define BRIDGE_RESULT_BAD_VALUE 3u      /* a field outside its range */
 #define BRIDGE_RESULT_NO_UPLOAD 4u      /* chunk, verify or commit without a begin */
 #define BRIDGE_RESULT_WRONG_UPLOAD 5u   /* the transaction number is not that of begin */
-#define BRIDGE_RESULT_WRONG_OFFSET 6u   /* a chunk that does not follow the last one */
+#define BRIDGE_RESULT_WRONG_OFFSET 6u   /* a chunk that neither follows the last one nor repeats one */
 #define BRIDGE_RESULT_INCOMPLETE 7u     /* verify before all bytes are there */
 #define BRIDGE_RESULT_BAD_CRC 8u        /* what arrived is not what was announced */
-#define BRIDGE_RESULT_BAD_TABLE 9u      /* the image contradicts itself or has a newer version */
+#define BRIDGE_RESULT_BAD_TABLE 9u      /* the image contradicts itself or is of a kind unknown here */
 #define BRIDGE_RESULT_OTHER_SENSOR 10u  /* the image is for another model or serial number */
 #define BRIDGE_RESULT_NOT_VERIFIED 11u  /* commit before verify */
-#define BRIDGE_RESULT_NOTHING_THERE 12u /* nothing to activate, to roll back to or to compensate with */
-#define BRIDGE_RESULT_FLASH 13u         /* the flash refused to erase or to take the bytes */
+#define BRIDGE_RESULT_NOTHING_THERE 12u /* nothing to activate, to roll back or to compensate with */
+#define BRIDGE_RESULT_FLASH 13u         /* the flash refused to erase, to take or to give the bytes */
 #define BRIDGE_RESULT_BUSY 14u          /* not while this goes on */
+#define BRIDGE_RESULT_FULL 15u          /* no room left for the mark or the generation: upload anew */
 
 /* Feature reports 0x20 .. 0x26: tables --------------------------------------------------------------------
  */
@@ -137,16 +136,15 @@
 #define BRIDGE_BEGIN_CRC 7u         /* u32, CRC-32 of the image */
 
 #define BRIDGE_CHUNK_TRANSACTION 1u /* u16 */
-#define BRIDGE_CHUNK_OFFSET 3u /* u32, where the bytes belong; that of the last chunk again: it is a repeat  \
-                                */
-#define BRIDGE_CHUNK_LENGTH 7u /* u8, 1 .. BRIDGE_CHUNK_BYTES; a multiple of 8 but for the last chunk */
-#define BRIDGE_CHUNK_DATA 8u
+#define BRIDGE_CHUNK_OFFSET 3u      /* u32, where the bytes belong: the next ones, or some again (a repeat) */
+#define BRIDGE_CHUNK_LENGTH 7u      /* u8, BRIDGE_CHUNK_BYTES, or what is left in the last chunk */
+#define BRIDGE_CHUNK_DATA 8u        /* bytes of the image; the first chunk is its whole header */
 #define BRIDGE_CHUNK_BYTES 56u
 
 #define BRIDGE_READ_BANK 1u   /* u8 */
 #define BRIDGE_READ_OFFSET 2u /* u32 */
 #define BRIDGE_READ_LENGTH 6u /* u8, asked for in set; what there is in get, 0 past the end */
-#define BRIDGE_READ_DATA 8u
+#define BRIDGE_READ_DATA 8u   /* bytes of the image, in get */
 #define BRIDGE_READ_BYTES 56u
 
 #define BRIDGE_VERIFY_TRANSACTION 1u /* u16 */
@@ -155,97 +153,36 @@
 #define BRIDGE_ACTIVATE_GENERATION 1u /* u32, of the bank that is meant */
 #define BRIDGE_ROLLBACK_GENERATION 1u /* u32, of the active bank, which is revoked: a repeat does no harm */
 
-/* Table image: what a bank holds ---------------------------------------------------------------------------
+/* Report descriptor ---------------------------------------------------------------------------------------
  */
-
-#define BRIDGE_TABLE_MAGIC 0u       /* u32, BRIDGE_TABLE_MAGIC_VALUE */
-#define BRIDGE_TABLE_VERSION 4u     /* u8, 1 */
-#define BRIDGE_TABLE_KIND 5u        /* u8, BRIDGE_TABLE_FIXED or _FLOAT */
-#define BRIDGE_TABLE_AXES 6u        /* u8, bit i: axis i is compensated, the others hold zeros */
-#define BRIDGE_TABLE_THERMOMETER 7u /* u8, BRIDGE_THERMOMETER_*: the one that the table was made with */
-#define BRIDGE_TABLE_MODEL 8u       /* 12 bytes, as in info */
-#define BRIDGE_TABLE_SERIAL 20u     /* 16 bytes, as in info */
-#define BRIDGE_TABLE_FIRST 36u      /* i32, millidegrees Celsius of the first knot */
-#define BRIDGE_TABLE_LAST 40u       /* i32, of the last knot */
-#define BRIDGE_TABLE_KNOTS 44u      /* u32, n >= 2 */
-#define BRIDGE_TABLE_RECIPROCAL 48u /* fixed: u32; float: float32, cells per degree */
-#define BRIDGE_TABLE_SHIFT 52u      /* u8, fixed only */
-#define BRIDGE_TABLE_FRACTION 53u   /* u8, fixed only: a unit is 2^-fraction dps */
-#define BRIDGE_TABLE_VALUES 56u     /* n x 3 of i32 (fixed, units) or float32 (dps), x, y, z of each knot */
-#define BRIDGE_TABLE_KNOT_SIZE 12u
-#define BRIDGE_TABLE_MAGIC_VALUE 0x31425444u /* "DTB1" */
-#define BRIDGE_TABLE_FIXED 1u
-#define BRIDGE_TABLE_FLOAT 2u
-
-/* Fields ----------------------------------------------------------------------------------------------------
- */
-
-static inline uint16_t bridge_get_u16(const uint8_t *at)
-{
-    return (uint16_t)(at[0] | ((uint16_t)at[1] << 8));
-}
-
-static inline uint32_t bridge_get_u32(const uint8_t *at)
-{
-    return (uint32_t)at[0] | ((uint32_t)at[1] << 8) | ((uint32_t)at[2] << 16) | ((uint32_t)at[3] << 24);
-}
-
-static inline int16_t bridge_get_i16(const uint8_t *at)
-{
-    const uint16_t bits = bridge_get_u16(at);
-    return (int16_t)(bits < 0x8000u ? (int32_t)bits : (int32_t)bits - 0x10000);
-}
-
-static inline int32_t bridge_get_i32(const uint8_t *at)
-{
-    const uint32_t bits = bridge_get_u32(at);
-    return bits < 0x80000000u ? (int32_t)bits : (int32_t)(bits - 0x80000000u) + INT32_MIN;
-}
-
-static inline void bridge_put_u16(uint8_t *at, uint16_t value)
-{
-    at[0] = (uint8_t)(value & 0xFFu);
-    at[1] = (uint8_t)(value >> 8);
-}
-
-static inline void bridge_put_u32(uint8_t *at, uint32_t value)
-{
-    at[0] = (uint8_t)(value & 0xFFu);
-    at[1] = (uint8_t)((value >> 8) & 0xFFu);
-    at[2] = (uint8_t)((value >> 16) & 0xFFu);
-    at[3] = (uint8_t)(value >> 24);
-}
-
-/* A signed field is written by its bits: bridge_put_u32(at, (uint32_t)value). */
-
-/* Report descriptor
- * ------------------------------------------------------------------------------------------ */
 
 /* One collection of the vendor page with each report of 63 bytes after its id. */
 #define BRIDGE_DESCRIPTOR_REPORT(id, item) 0x85, (id), 0x09, (id), (item), 0x02
 #define BRIDGE_DESCRIPTOR_INPUT 0x81
 #define BRIDGE_DESCRIPTOR_FEATURE 0xB1
+// clang-format off
 #define BRIDGE_REPORT_DESCRIPTOR                                                                             \
     {                                                                                                        \
-        0x06, 0x00, 0xFF,     /* usage page: vendor 0xFF00 */                                                \
-            0x09, 0x01,       /* usage 1 */                                                                  \
-            0xA1, 0x01,       /* collection: application */                                                  \
-            0x15, 0x00,       /* logical minimum 0 */                                                        \
-            0x26, 0xFF, 0x00, /* logical maximum 255 */                                                      \
-            0x75, 0x08,       /* fields of 8 bits */                                                         \
-            0x95, 0x3F,       /* 63 of them a report */                                                      \
-            BRIDGE_DESCRIPTOR_REPORT(BRIDGE_REPORT_SAMPLES, BRIDGE_DESCRIPTOR_INPUT),                        \
-            BRIDGE_DESCRIPTOR_REPORT(BRIDGE_REPORT_INFO, BRIDGE_DESCRIPTOR_FEATURE),                         \
-            BRIDGE_DESCRIPTOR_REPORT(BRIDGE_REPORT_CONFIG, BRIDGE_DESCRIPTOR_FEATURE),                       \
-            BRIDGE_DESCRIPTOR_REPORT(BRIDGE_REPORT_STATUS, BRIDGE_DESCRIPTOR_FEATURE),                       \
-            BRIDGE_DESCRIPTOR_REPORT(BRIDGE_REPORT_BEGIN, BRIDGE_DESCRIPTOR_FEATURE),                        \
-            BRIDGE_DESCRIPTOR_REPORT(BRIDGE_REPORT_CHUNK, BRIDGE_DESCRIPTOR_FEATURE),                        \
-            BRIDGE_DESCRIPTOR_REPORT(BRIDGE_REPORT_READ, BRIDGE_DESCRIPTOR_FEATURE),                         \
-            BRIDGE_DESCRIPTOR_REPORT(BRIDGE_REPORT_VERIFY, BRIDGE_DESCRIPTOR_FEATURE),                       \
-            BRIDGE_DESCRIPTOR_REPORT(BRIDGE_REPORT_COMMIT, BRIDGE_DESCRIPTOR_FEATURE),                       \
-            BRIDGE_DESCRIPTOR_REPORT(BRIDGE_REPORT_ACTIVATE, BRIDGE_DESCRIPTOR_FEATURE),                     \
-            BRIDGE_DESCRIPTOR_REPORT(BRIDGE_REPORT_ROLLBACK, BRIDGE_DESCRIPTOR_FEATURE),                     \
-            0xC0 /* end of collection */                                                                     \
+        0x06, 0x00, 0xFF, /* usage page: vendor 0xFF00 */                                                    \
+        0x09, 0x01,       /* usage 1 */                                                                      \
+        0xA1, 0x01,       /* collection: application */                                                      \
+        0x15, 0x00,       /* logical minimum 0 */                                                            \
+        0x26, 0xFF, 0x00, /* logical maximum 255 */                                                          \
+        0x75, 0x08,       /* fields of 8 bits */                                                             \
+        0x95, 0x3F,       /* 63 of them a report */                                                          \
+        BRIDGE_DESCRIPTOR_REPORT(BRIDGE_REPORT_SAMPLES, BRIDGE_DESCRIPTOR_INPUT),                            \
+        BRIDGE_DESCRIPTOR_REPORT(BRIDGE_REPORT_INFO, BRIDGE_DESCRIPTOR_FEATURE),                             \
+        BRIDGE_DESCRIPTOR_REPORT(BRIDGE_REPORT_CONFIG, BRIDGE_DESCRIPTOR_FEATURE),                           \
+        BRIDGE_DESCRIPTOR_REPORT(BRIDGE_REPORT_STATUS, BRIDGE_DESCRIPTOR_FEATURE),                           \
+        BRIDGE_DESCRIPTOR_REPORT(BRIDGE_REPORT_BEGIN, BRIDGE_DESCRIPTOR_FEATURE),                            \
+        BRIDGE_DESCRIPTOR_REPORT(BRIDGE_REPORT_CHUNK, BRIDGE_DESCRIPTOR_FEATURE),                            \
+        BRIDGE_DESCRIPTOR_REPORT(BRIDGE_REPORT_READ, BRIDGE_DESCRIPTOR_FEATURE),                             \
+        BRIDGE_DESCRIPTOR_REPORT(BRIDGE_REPORT_VERIFY, BRIDGE_DESCRIPTOR_FEATURE),                           \
+        BRIDGE_DESCRIPTOR_REPORT(BRIDGE_REPORT_COMMIT, BRIDGE_DESCRIPTOR_FEATURE),                           \
+        BRIDGE_DESCRIPTOR_REPORT(BRIDGE_REPORT_ACTIVATE, BRIDGE_DESCRIPTOR_FEATURE),                         \
+        BRIDGE_DESCRIPTOR_REPORT(BRIDGE_REPORT_ROLLBACK, BRIDGE_DESCRIPTOR_FEATURE),                         \
+        0xC0 /* end of collection */                                                                         \
     }
+// clang-format on
 
 #endif
