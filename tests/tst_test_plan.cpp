@@ -124,7 +124,7 @@ void TestTestPlan::figures_every_hasEquationAndOneSentence()
     QVERIFY(figures[2].equation.ends_with("125²"));
     QVERIFY(figures[5].equation.ends_with("8.75/(4.9 + 10.9375)"));
     const auto more = periodFigures(*period, paperChamber(), -40.0, 85.0);
-    QVERIFY(more[0].equation.find("1.005 × 1.293 × 0.6² × (85 − (-40))/(0.0267 × 85)") != std::string::npos);
+    QVERIFY(more[0].equation.find("1.005 × 1.293 × 0.6² × (85 − (−40))/(0.0267 × 85)") != std::string::npos);
     figures.insert(figures.end(), more.begin(), more.end());
     for (const PlanFigure &figure : figures) {
         QVERIFY2(isOneSentence(figure.remark), figure.remark.c_str());

@@ -14,9 +14,9 @@ namespace driftbench::cli {
 namespace {
 
 // In the order in which a calibration uses them.
-constexpr std::array<AddCommand, 9> kCommands{
-    addPlanCommand,  addSimulateCommand, addInspectCommand, addFitCommand,      addEvaluateCommand,
-    addApplyCommand, addExportCommand,   addPhysicsCommand, addReproduceCommand};
+constexpr std::array<AddCommand, 9> kCommands{addPlanCommand,   addSimulateCommand, addInspectCommand,
+                                              addFitCommand,    addEvaluateCommand, addApplyCommand,
+                                              addExportCommand, addPhysicsCommand,  addReproduceCommand};
 
 // "25,5,53"
 std::optional<Eigen::Vector3d> threeNumbers(std::string_view text)

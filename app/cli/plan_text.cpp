@@ -1,5 +1,6 @@
 #include "app/cli/plan_text.h"
 
+#include "app/cli/text_layout.h"
 #include "engine/base/text.h"
 #include "engine/physics/plan_file.h"
 
@@ -14,25 +15,6 @@ namespace driftbench::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// Signs beyond ASCII take several bytes and one column.
-std::size_t columnsOf(std::string_view text)
-{
-    return static_cast<std::size_t>(std::count_if(
-        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
-}
-
-std::string left(std::string text, std::size_t width)
-{
-    const std::size_t columns = columnsOf(text);
-    return columns < width ? text + std::string(width - columns, ' ') : text;
-}
-
-std::string right(const std::string &text, std::size_t width)
-{
-    const std::size_t columns = columnsOf(text);
-    return columns < width ? std::string(width - columns, ' ') + text : text;
-}
 
 // Five digits.
 std::string rounded(double value)
@@ -62,8 +44,8 @@ std::string figuresAsText(const std::vector<PlanFigure> &figures)
     std::string text;
     for (const PlanFigure &figure : figures) {
         text += "  " + left(figure.name, 18) + right(figure.value ? rounded(*figure.value) : "none", 9) +
-                " " + left(figure.unit, 8) + figure.equation + "\n" + std::string(38, ' ') + figure.remark +
-                "\n";
+                " " + left(figure.unit, 8) + figure.equation + "\n" +
+                wrapped(std::string(38, ' '), figure.remark);
     }
     return text;
 }

@@ -1,5 +1,6 @@
 #include "app/cli/reproduce_text.h"
 
+#include "app/cli/text_layout.h"
 #include "engine/base/axes.h"
 #include "engine/base/text.h"
 
@@ -12,56 +13,13 @@ namespace {
 constexpr std::size_t kFirstColumn = 17;
 constexpr std::size_t kRowName = 6; // of the first column
 
-// Characters, not bytes.
-std::size_t widthOf(std::string_view text)
-{
-    return static_cast<std::size_t>(
-        std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
-std::string padding(std::string_view text, std::size_t width)
-{
-    return std::string(width - std::min(width, widthOf(text)), ' ');
-}
-
-std::string right(const std::string &text, std::size_t width)
-{
-    return padding(text, width) + text;
-}
-
-std::string left(const std::string &text, std::size_t width)
-{
-    return text + padding(text, width);
-}
-
-// Broken between words; lines after the first are indented as far as its lead is long.
-std::string wrapped(const std::string &lead, const std::string &text)
-{
-    std::string lines;
-    std::string line = lead;
-    const std::size_t indent = widthOf(lead);
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = std::min(text.find(' ', at), text.size());
-        const std::string word = text.substr(at, end - at);
-        const bool first = widthOf(line) == indent;
-        if (!first && widthOf(line) + 1 + widthOf(word) > kReproduceColumns) {
-            lines += line + "\n";
-            line = std::string(indent, ' ') + word;
-        } else {
-            line += (first ? "" : " ") + word;
-        }
-        at = end + 1;
-    }
-    return lines + line + "\n";
-}
-
 std::string heading(const std::string &text)
 {
     return "\n" + text + "\n" + std::string(widthOf(text), '-') + "\n";
 }
 
 // Wide enough for a printed figure of this column and the mark behind it.
-std::size_t widthOf(const PaperColumn &column)
+std::size_t columnWidth(const PaperColumn &column)
 {
     switch (column.kind) {
     case PaperColumnKind::Msd:
@@ -84,8 +42,8 @@ std::string headOf(const ReproducedTable &table)
         const std::size_t slash = std::min(name.find('/'), name.size());
         const std::string unit = column.kind == PaperColumnKind::Msd ? "dps²" : std::string(column.unit());
         const std::string below = slash < name.size() ? name.substr(slash) + " " + unit : unit;
-        names += right(name.substr(0, slash), widthOf(column) - 1) + " ";
-        units += right(below, widthOf(column) - 1) + " ";
+        names += right(name.substr(0, slash), columnWidth(column) - 1) + " ";
+        units += right(below, columnWidth(column) - 1) + " ";
     }
     names.erase(names.find_last_not_of(' ') + 1);
     units.erase(units.find_last_not_of(' ') + 1);
@@ -99,7 +57,7 @@ std::string printedLine(const ReproducedTable &table, const ReproducedRow &row)
         const ReproducedCell &cell = row.cells[c];
         const bool disagrees = cell.check && cell.check->agreement == PrintedAgreement::No;
         line += right(std::string(cell.printed.text()) + (disagrees ? "*" : " "),
-                      widthOf(table.printed.columns[c]));
+                      columnWidth(table.printed.columns[c]));
     }
     return line;
 }
@@ -113,7 +71,7 @@ std::string simulatedLine(const ReproducedTable &table, const ReproducedRow &row
         const ReproducedCell &cell = row.cells[c];
         const PaperColumn &column = table.printed.columns[c];
         const bool shown = novel == 0 || dependsOnNovel(column);
-        line += right(shown ? cell.printed.inThisForm(cell.simulated[novel]) + " " : "", widthOf(column));
+        line += right(shown ? cell.printed.inThisForm(cell.simulated[novel]) + " " : "", columnWidth(column));
     }
     return line;
 }

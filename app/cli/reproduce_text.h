@@ -1,4 +1,4 @@
-// What `reproduce` prints, for a terminal of kReproduceColumns columns.
+// What `reproduce` prints, for a terminal of kTextColumns columns (text_layout.h).
 #pragma once
 
 #include "app/cli/reproduction.h"
@@ -6,8 +6,6 @@
 #include <string>
 
 namespace driftbench::cli {
-
-inline constexpr std::size_t kReproduceColumns = 120;
 
 std::string reproductionToText(const Reproduction &reproduction);
 

@@ -1,5 +1,7 @@
 #include "app/cli/text_table.h"
 
+#include "app/cli/text_layout.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -8,17 +10,9 @@ namespace driftbench::cli {
 
 namespace {
 
-// Characters, where UTF-8 counts bytes; none of ours is wider than one column.
-std::size_t widthOf(const std::string &text)
-{
-    return static_cast<std::size_t>(std::count_if(
-        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
-}
-
 std::string inColumn(const std::string &text, std::size_t width, Align align)
 {
-    const std::string space(width - widthOf(text), ' ');
-    return "  " + (align == Align::Left ? text + space : space + text);
+    return "  " + (align == Align::Left ? left(text, width) : right(text, width));
 }
 
 std::string endTrimmed(std::string line)

@@ -33,7 +33,7 @@ std::string number(double value)
 // (85 - -40) reads badly.
 std::string inBrackets(double value)
 {
-    return value < 0.0 ? "(" + number(value) + ")" : number(value);
+    return value < 0.0 ? "(−" + number(-value) + ")" : number(value);
 }
 
 std::string conductionEquation(const ChamberDatasheet &chamber, double specificHeat, double lowest,
