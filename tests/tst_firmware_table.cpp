@@ -24,6 +24,7 @@ private slots:
     void counts_randomTables_equalHost();
     void counts_anySensitivity_areWithinHalfACount();
     void takenOff_wholeRange_saturates();
+    void covers_ends_belongToTheTable();
     void read_damagedHeader_isRefusedAsByTheHost();
 };
 
@@ -200,6 +201,16 @@ void TestFirmwareTable::takenOff_wholeRange_saturates()
             QCOMPARE(atLimit, rate == INT16_MAX || rate == INT16_MIN || raw == INT16_MAX || raw == INT16_MIN);
         }
     }
+}
+
+void TestFirmwareTable::covers_ends_belongToTheTable()
+{
+    Random random(7);
+    const bridge_table table = readTable(randomImage(random, 5));
+    QVERIFY(bridge_table_covers(&table, table.first_millic) &&
+            bridge_table_covers(&table, table.last_millic));
+    QVERIFY(!bridge_table_covers(&table, table.first_millic - 1));
+    QVERIFY(!bridge_table_covers(&table, table.last_millic + 1));
 }
 
 void TestFirmwareTable::read_damagedHeader_isRefusedAsByTheHost()
