@@ -152,14 +152,16 @@ void TestFirmwareTable::counts_randomTables_equalHost()
             const std::int32_t milliC = anyTemperature(random, table);
             const bridge_place place = bridge_table_locate(&read, milliC);
             std::array<std::int32_t, 3> counts{};
-            std::int32_t units[3];
-            float dps[3];
-            bridge_table_units(place, cellOf(image, place), units);
-            bridge_table_dps(place, cellOf(image, place), dps);
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                counts[axis] = kind == DeviceTableKind::FixedPoint
-                                   ? bridge_counts_of_units(scale, units[axis])
-                                   : bridge_counts_of_dps(scale, dps[axis]);
+            if (kind == DeviceTableKind::FixedPoint) {
+                std::array<std::int32_t, 3> units{};
+                bridge_table_units(place, cellOf(image, place), units.data());
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    counts[axis] = bridge_counts_of_units(scale, units[axis]);
+            } else {
+                std::array<float, 3> dps{};
+                bridge_table_dps(place, cellOf(image, place), dps.data());
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    counts[axis] = bridge_counts_of_dps(scale, dps[axis]);
             }
             QVERIFY(counts == host.tdeCounts(milliC));
             const auto raw = static_cast<std::int16_t>(random.bits());
