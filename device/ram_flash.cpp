@@ -52,9 +52,9 @@ void RamFlash::cutPowerAt(int operation, PowerCut how, std::uint64_t seed)
     m_noise = Random(seed);
 }
 
-void RamFlash::refuseAt(int operation)
+void RamFlash::refuseAt(int operation, int count)
 {
-    m_refusal = m_operations + operation;
+    m_refusal = Refusal{m_operations + operation, count};
 }
 
 void RamFlash::powerUp()
@@ -67,7 +67,9 @@ void RamFlash::powerUp()
 RamFlash::Step RamFlash::next()
 {
     const int operation = m_operations++;
-    if (!m_power || m_refusal == operation)
+    const bool refused =
+        m_refusal && operation >= m_refusal->first && operation - m_refusal->first < m_refusal->count;
+    if (!m_power || refused)
         return Step::Refuse;
     if (m_cut && m_cut->operation == operation) {
         m_power = false;

@@ -35,8 +35,8 @@ public:
     void powerUp();
     bool hasPower() const { return m_power; }
 
-    // Power stays, but the n-th such operation from now on is refused, undone.
-    void refuseAt(int operation);
+    // Power stays, but the n-th such operation from now on and those after it, `count` in all, are refused.
+    void refuseAt(int operation, int count = 1);
     void refuseReads(bool refuse) { m_refusesReads = refuse; }
 
     int operations() const { return m_operations; } // erasures and programmings so far
@@ -64,12 +64,17 @@ private:
         int operation;
         PowerCut how;
     };
+    struct Refusal
+    {
+        int first;
+        int count;
+    };
 
     std::array<std::vector<std::uint8_t>, 2> m_banks;
     std::array<std::vector<bool>, 2> m_programmed; // units, since the last erasure
     bridge_flash m_interface;
     std::optional<Cut> m_cut;
-    std::optional<int> m_refusal;
+    std::optional<Refusal> m_refusal;
     Random m_noise{1};
     bool m_power = true;
     bool m_refusesReads = false;

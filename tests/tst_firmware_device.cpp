@@ -23,6 +23,7 @@ private slots:
     void upload_wrongOrder_isRefused();
     void upload_wrongLengths_areRefused();
     void upload_repeatedChunk_isARepeatIfBytesAgree();
+    void upload_flashRefusal_endsIt();
     void upload_otherSensor_isRefusedBeforeErasing();
     void upload_unusableTable_isRefusedBeforeErasing_data();
     void upload_unusableTable_isRefusedBeforeErasing();
@@ -255,6 +256,21 @@ void TestFirmwareDevice::upload_repeatedChunk_isARepeatIfBytesAgree()
     EXPECT(commit(1), OK);
     EXPECT(chunkReport(1, 56, image), NO_UPLOAD);
     QCOMPARE(bench.device.image(0), image);
+    QCOMPARE(bench.flash.violations(), 0);
+}
+
+void TestFirmwareDevice::upload_flashRefusal_endsIt()
+{
+    Bench bench;
+    const Bytes image = randomImage(bench.random, 20);
+    EXPECT(beginFor(image, 1), OK);
+    EXPECT(chunkReport(1, 0, image), OK);
+    bench.flash.refuseAt(3);
+    EXPECT(chunkReport(1, 56, image), FLASH);
+    QCOMPARE(bench.device.status().received, 0U);
+    // Half of that chunk stands there and can't be programmed again.
+    EXPECT(chunkReport(1, 56, image), NO_UPLOAD);
+    QCOMPARE(bench.device.install(image, 2), std::uint8_t(BRIDGE_RESULT_OK));
     QCOMPARE(bench.flash.violations(), 0);
 }
 

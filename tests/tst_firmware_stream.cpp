@@ -22,6 +22,8 @@ private slots:
     void lost_insideTheDevice_isCountedAndTold();
     void saturation_ofRawOrCompensated_isFlagged();
     void compensated_randomTables_equalHostFromReportAlone();
+    void compensated_switchedInsideReport_startsAnother();
+    void compensated_tableReplaced_usesTheNewOneAtOnce();
     void compensated_thermometerMissing_staysRaw();
     void compensated_flashUnreadable_staysRaw();
 };
@@ -279,6 +281,54 @@ void TestFirmwareStream::compensated_randomTables_equalHostFromReportAlone()
             }
             sent.clear();
         }
+    }
+}
+
+void TestFirmwareStream::compensated_switchedInsideReport_startsAnother()
+{
+    Random random(6);
+    RamFlash flash(4096);
+    FirmwareDevice firmware(flash);
+    QCOMPARE(firmware.install(randomImage(random, 5), 1), std::uint8_t(BRIDGE_RESULT_OK));
+    QCOMPARE(firmware.configure(true, false), std::uint8_t(BRIDGE_RESULT_OK));
+    const bridge_sample sample{0, {11, 22, 33}, true, false, 20000, 0};
+    for (int i = 0; i < 3; ++i)
+        bridge_device_sample(&firmware.device, &sample);
+    QCOMPARE(firmware.configure(true, true), std::uint8_t(BRIDGE_RESULT_OK));
+    for (int i = 0; i < 2; ++i)
+        bridge_device_sample(&firmware.device, &sample);
+    QCOMPARE(firmware.configure(false, true), std::uint8_t(BRIDGE_RESULT_OK));
+    Report report;
+    QVERIFY(bridge_device_take(&firmware.device, report.data()));
+    QCOMPARE(report[BRIDGE_SAMPLES_COUNT], std::uint8_t(3));
+    QVERIFY((report[BRIDGE_SAMPLES_FLAGS] & BRIDGE_FLAG_COMPENSATED) == 0);
+    QVERIFY(bridge_device_take(&firmware.device, report.data()));
+    QCOMPARE(report[BRIDGE_SAMPLES_COUNT], std::uint8_t(2));
+    QVERIFY((report[BRIDGE_SAMPLES_FLAGS] & BRIDGE_FLAG_COMPENSATED) != 0);
+    QVERIFY(!bridge_device_take(&firmware.device, report.data()));
+}
+
+void TestFirmwareStream::compensated_tableReplaced_usesTheNewOneAtOnce()
+{
+    Random random(8);
+    RamFlash flash(4096);
+    FirmwareDevice firmware(flash);
+    CompensationTable table = randomTable(random, 2, 50.0);
+    const bridge_sample sample{0, {11, 22, 33}, true, false, table.firstMilliC, 0};
+    for (std::uint16_t upload = 1; upload < 4; ++upload) {
+        // Another table on the same grid, so that the temperature stays in its cell.
+        table.tdeDps *= -2.0;
+        const Bytes image = imageOf(table, DeviceTableKind::FixedPoint);
+        QCOMPARE(firmware.install(image, upload), std::uint8_t(BRIDGE_RESULT_OK));
+        QCOMPARE(firmware.configure(true, true), std::uint8_t(BRIDGE_RESULT_OK));
+        for (int i = 0; i < 7; ++i)
+            bridge_device_sample(&firmware.device, &sample);
+        Report report;
+        QVERIFY(bridge_device_take(&firmware.device, report.data()));
+        const auto tde =
+            DeviceCompensation(*decodeDeviceImage(image, "image"), 875).tdeCounts(table.firstMilliC);
+        QVERIFY(tde[0] != 0);
+        QCOMPARE(countsOf(report, 0, 0), DeviceCompensation::compensated(11, tde[0]));
     }
 }
 

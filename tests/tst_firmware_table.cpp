@@ -24,6 +24,7 @@ private slots:
     void counts_randomTables_equalHost();
     void counts_anySensitivity_areWithinHalfACount();
     void takenOff_wholeRange_saturates();
+    void covers_ends_belongToTheTable();
     void read_damagedHeader_isRefusedAsByTheHost();
 };
 
@@ -151,14 +152,16 @@ void TestFirmwareTable::counts_randomTables_equalHost()
             const std::int32_t milliC = anyTemperature(random, table);
             const bridge_place place = bridge_table_locate(&read, milliC);
             std::array<std::int32_t, 3> counts{};
-            std::int32_t units[3];
-            float dps[3];
-            bridge_table_units(place, cellOf(image, place), units);
-            bridge_table_dps(place, cellOf(image, place), dps);
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                counts[axis] = kind == DeviceTableKind::FixedPoint
-                                   ? bridge_counts_of_units(scale, units[axis])
-                                   : bridge_counts_of_dps(scale, dps[axis]);
+            if (kind == DeviceTableKind::FixedPoint) {
+                std::array<std::int32_t, 3> units{};
+                bridge_table_units(place, cellOf(image, place), units.data());
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    counts[axis] = bridge_counts_of_units(scale, units[axis]);
+            } else {
+                std::array<float, 3> dps{};
+                bridge_table_dps(place, cellOf(image, place), dps.data());
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    counts[axis] = bridge_counts_of_dps(scale, dps[axis]);
             }
             QVERIFY(counts == host.tdeCounts(milliC));
             const auto raw = static_cast<std::int16_t>(random.bits());
@@ -200,6 +203,16 @@ void TestFirmwareTable::takenOff_wholeRange_saturates()
             QCOMPARE(atLimit, rate == INT16_MAX || rate == INT16_MIN || raw == INT16_MAX || raw == INT16_MIN);
         }
     }
+}
+
+void TestFirmwareTable::covers_ends_belongToTheTable()
+{
+    Random random(7);
+    const bridge_table table = readTable(randomImage(random, 5));
+    QVERIFY(bridge_table_covers(&table, table.first_millic) &&
+            bridge_table_covers(&table, table.last_millic));
+    QVERIFY(!bridge_table_covers(&table, table.first_millic - 1));
+    QVERIFY(!bridge_table_covers(&table, table.last_millic + 1));
 }
 
 void TestFirmwareTable::read_damagedHeader_isRefusedAsByTheHost()

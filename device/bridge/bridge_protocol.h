@@ -24,8 +24,7 @@
 
 #define BRIDGE_REPORT_SIZE 64u
 
-/* Report ids ----------------------------------------------------------------------------------------------
- */
+/* Report ids --------------------------------------------------------------------------------------------- */
 
 #define BRIDGE_REPORT_SAMPLES 0x01u  /* input */
 #define BRIDGE_REPORT_INFO 0x10u     /* feature, get */
@@ -39,8 +38,7 @@
 #define BRIDGE_REPORT_ACTIVATE 0x25u /* feature, set: compensate with a committed bank from now on */
 #define BRIDGE_REPORT_ROLLBACK 0x26u /* feature, set: revoke the active bank; the other one takes over */
 
-/* Input report 0x01: samples ------------------------------------------------------------------------------
- */
+/* Input report 0x01: samples ----------------------------------------------------------------------------- */
 
 #define BRIDGE_SAMPLES_FLAGS 1u            /* u8, BRIDGE_FLAG_* */
 #define BRIDGE_SAMPLES_COUNT 2u            /* u8, 1 .. BRIDGE_SAMPLES_PER_REPORT */
@@ -60,8 +58,7 @@
 #define BRIDGE_FLAG_DIE_VALID 0x08u      /* the thermometer on the die was read */
 #define BRIDGE_FLAG_OUTSIDE_TABLE 0x10u  /* compensated, and the temperature lies outside the table */
 
-/* Feature report 0x10: info -------------------------------------------------------------------------------
- */
+/* Feature report 0x10: info ------------------------------------------------------------------------------ */
 
 #define BRIDGE_INFO_MAJOR 1u        /* u8 */
 #define BRIDGE_INFO_MINOR 2u        /* u8 */
@@ -81,16 +78,14 @@
 #define BRIDGE_CAN_FIXED 0x02u    /* takes fixed-point tables */
 #define BRIDGE_CAN_FLOAT 0x04u    /* takes float32 tables */
 
-/* Feature report 0x11: configuration ----------------------------------------------------------------------
- */
+/* Feature report 0x11: configuration --------------------------------------------------------------------- */
 
 #define BRIDGE_CONFIG_RATE 1u       /* u32, mHz */
 #define BRIDGE_CONFIG_RANGE 5u      /* u8, index into the ranges of info */
 #define BRIDGE_CONFIG_STREAM 6u     /* u8, 1: send input reports */
 #define BRIDGE_CONFIG_COMPENSATE 7u /* u8, 1: take the active table off; refused without one */
 
-/* Feature report 0x12: status -----------------------------------------------------------------------------
- */
+/* Feature report 0x12: status ---------------------------------------------------------------------------- */
 
 #define BRIDGE_STATUS_COMMAND 1u      /* u8, report id of the last set command */
 #define BRIDGE_STATUS_RESULT 2u       /* u8, BRIDGE_RESULT_* of that command */
@@ -127,8 +122,7 @@
 #define BRIDGE_RESULT_BUSY 14u          /* not while this goes on */
 #define BRIDGE_RESULT_FULL 15u          /* no room left for the mark or the generation: upload anew */
 
-/* Feature reports 0x20 .. 0x26: tables --------------------------------------------------------------------
- */
+/* Feature reports 0x20 .. 0x26: tables ------------------------------------------------------------------- */
 
 #define BRIDGE_BEGIN_TRANSACTION 1u /* u16, chosen by the host; chunk, verify and commit repeat it */
 #define BRIDGE_BEGIN_BYTES 3u       /* u32, length of the image */
@@ -152,8 +146,7 @@
 #define BRIDGE_ACTIVATE_GENERATION 1u /* u32, of the bank that is meant */
 #define BRIDGE_ROLLBACK_GENERATION 1u /* u32, of the active bank, which is revoked: a repeat does no harm */
 
-/* Report descriptor ---------------------------------------------------------------------------------------
- */
+/* Report descriptor -------------------------------------------------------------------------------------- */
 
 /* One collection of the vendor page with each report of 63 bytes after its id. */
 #define BRIDGE_DESCRIPTOR_REPORT(id, item) 0x85, (id), 0x09, (id), (item), 0x02

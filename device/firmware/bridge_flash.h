@@ -18,7 +18,7 @@
 struct bridge_flash
 {
     void *context;
-    uint32_t bank_bytes; /* of each bank, a multiple of 8 */
+    uint32_t bank_bytes; /* of each bank, a multiple of 8: 256 and the longest image that it shall take */
     bool (*erase)(void *context, uint8_t bank);
     bool (*program)(void *context, uint8_t bank, uint32_t offset, const uint8_t unit[BRIDGE_FLASH_UNIT]);
     bool (*read)(void *context, uint8_t bank, uint32_t offset, uint8_t *bytes, uint32_t count);
