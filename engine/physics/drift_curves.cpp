@@ -77,10 +77,17 @@ struct RunDeviation
     }
     double operator()(double temperatureC) const
     {
+        const double angle = 2.0 * std::numbers::pi * temperatureC / kSpreadWavelengthC;
+        const double cosine = std::cos(angle);
+        const double sine = std::sin(angle);
         double sum = level;
+        double cosineK = 1.0;
+        double sineK = 0.0;
         for (int k = 0; k < kSpreadHarmonics; ++k) {
-            const double angle = 2.0 * std::numbers::pi * (k + 1) * temperatureC / kSpreadWavelengthC;
-            sum += cosines[k] * std::cos(angle) + sines[k] * std::sin(angle);
+            const double nextCosine = cosineK * cosine - sineK * sine; // of (k + 1) times the angle
+            sineK = sineK * cosine + cosineK * sine;
+            cosineK = nextCosine;
+            sum += cosines[k] * cosineK + sines[k] * sineK;
         }
         return sum / std::sqrt(1.0 + kSpreadHarmonics);
     }

@@ -1,6 +1,7 @@
 #include "engine/physics/lag_estimate.h"
 
 #include "engine/base/text.h"
+#include "engine/physics/lag_response.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -16,12 +17,6 @@ constexpr double kLongestDeadTimeShare = 0.5; // of the recording
 constexpr double kLeastExplained = 0.5;       // of what a start that decays on its own leaves
 constexpr double kLargestDeviation = 0.25;    // of a time, as a part of the whole lag
 
-struct Lag
-{
-    double deadTimeS = 0.0;
-    double timeConstantS = 0.0;
-};
-
 struct Data
 {
     const std::vector<ProfileStep> &setpoint;
@@ -31,66 +26,6 @@ struct Data
     double startS() const { return timeS[0]; }
     double durationS() const { return timeS[timeS.size() - 1] - timeS[0]; }
     double meanIntervalS() const { return durationS() / static_cast<double>(timeS.size() - 1); }
-};
-
-// Plays the set-point through one lag, sample after sample.
-class Response
-{
-public:
-    Response(const Data &data, const Lag &lag)
-        : m_setpoint(data.setpoint)
-        , m_lag(lag)
-        , m_timeS(data.startS())
-        , m_inputC(m_setpoint.front().setpointC)
-    {
-        while (m_next < m_setpoint.size() && dueS(m_next) <= m_timeS)
-            m_inputC = m_setpoint[m_next++].setpointC;
-        m_outputC = m_inputC;
-    }
-
-    void advanceTo(double timeS)
-    {
-        while (m_next < m_setpoint.size() && dueS(m_next) <= timeS) {
-            decay(dueS(m_next) - m_timeS);
-            m_timeS = dueS(m_next);
-            m_inputC = m_setpoint[m_next++].setpointC;
-        }
-        decay(timeS - m_timeS);
-        m_timeS = timeS;
-    }
-
-    double outputC() const { return m_outputC; }
-    double startPart() const { return m_startPart; } // of what the output was off at the start
-    double byDeadTime() const { return (m_outputC - m_inputC) / m_lag.timeConstantS; }
-    double byTimeConstant() const { return m_byTimeConstant; }
-
-private:
-    double dueS(std::size_t step) const { return m_setpoint[step].startS + m_lag.deadTimeS; }
-
-    void decay(double intervalS)
-    {
-        if (intervalS != m_intervalS) {
-            m_intervalS = intervalS;
-            m_factor = std::exp(-intervalS / m_lag.timeConstantS);
-            m_slope = m_factor * intervalS / (m_lag.timeConstantS * m_lag.timeConstantS);
-        }
-        const double awayC = m_outputC - m_inputC;
-        m_byTimeConstant = m_byTimeConstant * m_factor + awayC * m_slope;
-        m_outputC = m_inputC + awayC * m_factor;
-        m_startPart *= m_factor;
-    }
-
-    const std::vector<ProfileStep> &m_setpoint;
-    Lag m_lag;
-    std::size_t m_next = 0;
-    double m_timeS;
-    double m_inputC;
-    double m_outputC = 0.0;
-    double m_byTimeConstant = 0.0;
-    double m_startPart = 1.0;
-    double m_intervalS = -1.0;
-    double m_factor = 1.0;
-    double m_slope = 0.0;
 };
 
 // The model with its linear parameters, and what is left of the data.
@@ -106,7 +41,7 @@ struct Fit
 // Every stride-th sample; offset and start by least squares.
 Fit fitLinearPart(const Data &data, const Lag &lag, Eigen::Index stride)
 {
-    Response response(data, lag);
+    LagResponse response(data.setpoint, data.startS(), lag);
     Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
     Eigen::Vector2d right = Eigen::Vector2d::Zero();
     double squares = 0.0;
@@ -140,7 +75,7 @@ struct Linearised
 
 Linearised linearise(const Data &data, const Fit &fit, Eigen::Index stride)
 {
-    Response response(data, fit.lag);
+    LagResponse response(data.setpoint, data.startS(), fit.lag);
     Linearised sums;
     double beforeC = 0.0;
     const double tau = fit.lag.timeConstantS;
