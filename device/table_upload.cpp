@@ -1,0 +1,209 @@
+#include "device/table_upload.h"
+
+#include "engine/exports/device_image.h"
+
+#include <algorithm>
+
+namespace driftbench {
+
+namespace {
+
+// Shares of the way, by how long each takes: a chunk out, a chunk back.
+constexpr double kWritten = 0.5;
+constexpr double kReadBack = 0.95;
+
+Error cancelled()
+{
+    return {Errc::Cancelled, "The upload was cancelled; the device goes on with the table that it had."};
+}
+
+// Refused here already, where the sentence can say more than a result code.
+Status checkFits(const BridgeInfo &info, std::span<const std::uint8_t> bytes)
+{
+    const auto image = decodeDeviceImage(bytes, "the table");
+    if (!image)
+        return image.error();
+    const SensorIdentity &sensor = image->table.provenance.sensor;
+    if (sensor.model != info.sensor.model || sensor.serial != info.sensor.serial)
+        return Error{Errc::WrongSensor, "The table is for " + sensor.text() + ", the device has " +
+                                            info.sensor.text() + "; upload a table of this sensor."};
+    const bool fixed = image->kind() == DeviceTableKind::FixedPoint;
+    if (!info.can(fixed ? BRIDGE_CAN_FIXED : BRIDGE_CAN_FLOAT))
+        return Error{Errc::DeviceRefused, std::string("The device takes no tables in ") +
+                                              (fixed ? "fixed point" : "floating point") +
+                                              "; export the table in the other kind."};
+    if (image->thermometer == DeviceThermometer::External && !info.can(BRIDGE_CAN_EXTERNAL))
+        return Error{Errc::DeviceRefused,
+                     "The table is for an external thermometer, which the device does not "
+                     "have; record and train with the one on the die."};
+    if (bytes.size() > info.bankBytes)
+        return Error{Errc::DeviceRefused, "The table has " + std::to_string(bytes.size()) +
+                                              " bytes, a bank of the device " +
+                                              std::to_string(info.bankBytes) +
+                                              "; allow a larger interpolation error to have fewer knots."};
+    return {};
+}
+
+// Differs from one upload of a program to the next, and from one table to another.
+std::uint16_t transactionOf(std::uint32_t crc, const BridgeStatus &before)
+{
+    const std::uint32_t generations = before.banks[0].generation + 31U * before.banks[1].generation;
+    const auto mixed = static_cast<std::uint16_t>((crc ^ (crc >> 16U)) + generations);
+    return mixed == 0 ? std::uint16_t{1} : mixed;
+}
+
+Status write(BridgeClient &client, std::span<const std::uint8_t> image, std::uint16_t transaction,
+             const ProgressHook &hook)
+{
+    for (std::size_t offset = 0; offset < image.size(); offset += BRIDGE_CHUNK_BYTES) {
+        const double part = static_cast<double>(offset) / static_cast<double>(image.size());
+        if (report(hook, "writing the table", kWritten * part) == Flow::Stop)
+            return cancelled();
+        const auto chunk =
+            image.subspan(offset, std::min<std::size_t>(BRIDGE_CHUNK_BYTES, image.size() - offset));
+        if (const Status sent = client.sendChunk(transaction, static_cast<std::uint32_t>(offset), chunk);
+            !sent)
+            return sent;
+    }
+    return {};
+}
+
+// The bank that a commit has just made of this image: the youngest with its length and CRC.
+std::optional<std::uint8_t> committedBank(const BridgeStatus &status, std::uint32_t bytes, std::uint32_t crc)
+{
+    std::optional<std::uint8_t> found;
+    for (std::uint8_t bank = 0; bank < BRIDGE_BANKS; ++bank) {
+        const BridgeBank &each = status.banks[bank];
+        if (each.state == BRIDGE_BANK_COMMITTED && each.bytes == bytes && each.crc == crc &&
+            (!found || each.generation > status.banks[*found].generation))
+            found = bank;
+    }
+    return found;
+}
+
+Status compare(BridgeClient &client, std::span<const std::uint8_t> image, std::uint8_t bank,
+               const ProgressHook &hook)
+{
+    bool stopped = false;
+    const ProgressHook part = [&](const Progress &progress) {
+        const Flow flow =
+            report(hook, "reading the table back", kWritten + (kReadBack - kWritten) * progress.fraction);
+        stopped = flow == Flow::Stop;
+        return flow;
+    };
+    const auto back = client.readImage(bank, static_cast<std::uint32_t>(image.size()), part);
+    if (stopped)
+        return cancelled();
+    if (!back)
+        return back.error();
+    const auto differs = std::mismatch(image.begin(), image.end(), back->begin(), back->end());
+    if (differs.first == image.end())
+        return {};
+    return Error{Errc::TableMismatch,
+                 "Byte " + std::to_string(differs.first - image.begin()) +
+                     " of the table reads back differently from what was written; the device "
+                     "goes on with the table that it had, try again."};
+}
+
+Result<TableUploadReport> finish(BridgeClient &client, TableUploadReport upload)
+{
+    const auto after = client.status();
+    if (!after)
+        return after.error();
+    upload.after = *after;
+    return upload;
+}
+
+// What counts in the end is what the device says that it uses.
+Result<TableUploadReport> activate(BridgeClient &client, TableUploadReport upload, const ProgressHook &hook)
+{
+    if (report(hook, "activating the table", kReadBack) == Flow::Stop)
+        return cancelled();
+    if (const Status done = client.activateTable(upload.generation); !done)
+        return done.error();
+    upload.activated = true;
+    auto finished = finish(client, std::move(upload));
+    if (finished && finished->after.activeBank != finished->bank)
+        return Error{Errc::TableMismatch,
+                     "The device was told to use the new table and uses another; read its "
+                     "status with driftbench-cli device info."};
+    report(hook, "activating the table", 1.0);
+    return finished;
+}
+
+} // namespace
+
+Result<TableUploadReport> uploadTable(BridgeClient &client, std::span<const std::uint8_t> image,
+                                      const TableUploadOptions &options, const ProgressHook &hook)
+{
+    if (const Status fits = checkFits(client.info(), image); !fits)
+        return fits.error();
+    const auto before = client.status();
+    if (!before)
+        return before.error();
+    TableUploadReport upload{*before, *before};
+    upload.bytes = static_cast<std::uint32_t>(image.size());
+    upload.crc = deviceImageCrc(image);
+    const std::uint16_t transaction = transactionOf(upload.crc, *before);
+    if (const Status done = client.beginTable(transaction, upload.bytes, upload.crc); !done)
+        return done.error();
+    if (const Status done = write(client, image, transaction, hook); !done)
+        return done.error();
+    if (const Status done = client.verifyTable(transaction); !done)
+        return done.error();
+    if (const Status done = client.commitTable(transaction); !done)
+        return done.error();
+    const auto committed = client.status();
+    if (!committed)
+        return committed.error();
+    const auto bank = committedBank(*committed, upload.bytes, upload.crc);
+    if (!bank)
+        return Error{Errc::TableMismatch,
+                     "The device says that it committed the table, but no bank holds it; the "
+                     "table in use has not changed, try again."};
+    upload.bank = *bank;
+    upload.generation = committed->banks[*bank].generation;
+    if (const Status same = compare(client, image, upload.bank, hook); !same)
+        return same.error();
+    return options.activate ? activate(client, std::move(upload), hook) : finish(client, std::move(upload));
+}
+
+Result<TableRollbackReport> rollBackTable(BridgeClient &client)
+{
+    const auto before = client.status();
+    if (!before)
+        return before.error();
+    if (!before->activeBank)
+        return Error{Errc::DeviceRefused, "No table is in use on the device; there is nothing to roll back."};
+    if (const Status done = client.rollBackTable(before->banks[*before->activeBank].generation); !done)
+        return done.error();
+    const auto after = client.status();
+    if (!after)
+        return after.error();
+    return TableRollbackReport{*before, *after};
+}
+
+Result<std::optional<std::vector<std::uint8_t>>>
+readTable(BridgeClient &client, std::optional<std::uint8_t> bank, const ProgressHook &hook)
+{
+    using Image = std::optional<std::vector<std::uint8_t>>;
+    if (bank && *bank >= BRIDGE_BANKS)
+        return Error{Errc::InvalidOption, "There is no bank " + std::to_string(*bank) + "; choose 0 or 1."};
+    const auto status = client.status();
+    if (!status)
+        return status.error();
+    if (!bank)
+        bank = status->activeBank;
+    if (!bank || status->banks[*bank].state == BRIDGE_BANK_EMPTY)
+        return Image();
+    auto image = client.readImage(*bank, status->banks[*bank].bytes, hook);
+    if (!image)
+        return image.error();
+    if (deviceImageCrc(*image) != status->banks[*bank].crc)
+        return Error{Errc::TableMismatch,
+                     "Bank " + std::to_string(*bank) +
+                         " does not read back with the CRC that the device states; try again."};
+    return Image(*std::move(image));
+}
+
+} // namespace driftbench
