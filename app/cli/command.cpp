@@ -14,9 +14,9 @@ namespace driftbench::cli {
 namespace {
 
 // In the order in which a calibration uses them.
-constexpr std::array<AddCommand, 9> kCommands{addPlanCommand,   addSimulateCommand, addInspectCommand,
-                                              addFitCommand,    addEvaluateCommand, addApplyCommand,
-                                              addExportCommand, addPhysicsCommand,  addReproduceCommand};
+constexpr std::array<AddCommand, 10> kCommands{
+    addPlanCommand,  addSimulateCommand, addInspectCommand, addFitCommand,     addEvaluateCommand,
+    addApplyCommand, addExportCommand,   addDeviceCommand,  addPhysicsCommand, addReproduceCommand};
 
 // "25,5,53"
 std::optional<Eigen::Vector3d> threeNumbers(std::string_view text)
@@ -85,6 +85,21 @@ void addJudgeOption(CLI::App &command, Judging &judging)
             "--judge", parse,
             "absolute (default): the turn-on bias counts; anchored: each run's bias at its start is removed")
         ->type_name("HOW");
+}
+
+Result<std::array<bool, 3>> axesNamed(const std::string &text)
+{
+    std::array<bool, 3> axes{};
+    for (const char c : text) {
+        if (c == ',')
+            continue;
+        const std::size_t axis = std::string_view("xyz").find(c);
+        if (axis == std::string_view::npos)
+            return Error{Errc::InvalidOption,
+                         "--axes \"" + text + "\" names no axes. Say x, y and z with commas."};
+        axes[axis] = true;
+    }
+    return axes;
 }
 
 Eigen::Vector3d parseTriple(const std::string &option, const std::string &text)

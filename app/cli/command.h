@@ -18,6 +18,7 @@
 
 #include <CLI/CLI.hpp>
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -33,6 +34,7 @@ struct Invocation
 using AddCommand = void (*)(CLI::App &program, Invocation &invocation);
 
 void addApplyCommand(CLI::App &program, Invocation &invocation);
+void addDeviceCommand(CLI::App &program, Invocation &invocation);
 void addEvaluateCommand(CLI::App &program, Invocation &invocation);
 void addExportCommand(CLI::App &program, Invocation &invocation);
 void addFitCommand(CLI::App &program, Invocation &invocation);
@@ -53,6 +55,9 @@ void addJsonOption(CLI::App &command, bool &json);
 void addSeedOption(CLI::App &command, std::uint64_t &seed);
 void addJudgeOption(CLI::App &command, Judging &judging);
 void addReferenceRateOption(CLI::App &command, Eigen::Vector3d &referenceRateDps);
+
+// "x,y" or "xy" of --axes.
+Result<std::array<bool, 3>> axesNamed(const std::string &text);
 
 // "25,5,53" of the named option; anything else is a usage error.
 Eigen::Vector3d parseTriple(const std::string &option, const std::string &text);

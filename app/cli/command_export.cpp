@@ -23,22 +23,6 @@ struct ExportArguments
     bool json = false;
 };
 
-// "x,y" or "xy"
-Result<std::array<bool, 3>> axesNamed(const std::string &text)
-{
-    std::array<bool, 3> axes{};
-    for (const char c : text) {
-        if (c == ',')
-            continue;
-        const std::size_t axis = std::string_view("xyz").find(c);
-        if (axis == std::string_view::npos)
-            return Error{Errc::InvalidOption,
-                         "--axes \"" + text + "\" names no axes. Say x, y and z with commas."};
-        axes[axis] = true;
-    }
-    return axes;
-}
-
 Status exportIt(ExportArguments arguments)
 {
     const auto format = exportFormatFromName(arguments.format);
