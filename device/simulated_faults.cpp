@@ -35,10 +35,10 @@ bool SimulatedFaults::isStalled(double nowS)
 bool SimulatedFaults::passes(BridgeReport &report)
 {
     const std::int64_t number = m_reports++;
-    if (m_damaged == number)
+    if (m_damaged.holds(number))
         report[BRIDGE_SAMPLES_COUNT] = 0xFF;
     return std::none_of(m_lost.begin(), m_lost.end(),
-                        [number](const Span &span) { return span.first <= number && number < span.end; });
+                        [number](const Span &span) { return span.holds(number); });
 }
 
 std::optional<std::uint8_t> SimulatedFaults::refusal(std::uint8_t command)

@@ -22,10 +22,10 @@ public:
         m_stallAt = m_reports + report;
         m_stallS = durationS;
     }
-    void damageReport(std::int64_t report)
+    void damageReports(std::int64_t first, std::int64_t count) // their count of samples can't be
     {
-        m_damaged = m_reports + report;
-    } // its count of samples can't be
+        m_damaged = {m_reports + first, m_reports + first + count};
+    }
     void unplugAtReport(std::int64_t report) { m_unplugAtReport = m_reports + report; } // instead of it
     void unplugAtExchange(std::int64_t exchange) // instead of this get or set
     {
@@ -37,7 +37,6 @@ public:
     void pretendMajor(std::uint8_t major) { m_major = major; }           // the protocol version in info
 
     // For the board.
-    std::int64_t reports() const { return m_reports; }     // so far, those that were lost included
     std::int64_t exchanges() const { return m_exchanges; } // gets and sets so far
     bool nextReportUnplugs();
     bool nextExchangeUnplugs(); // counts it
@@ -52,8 +51,9 @@ public:
 private:
     struct Span
     {
-        std::int64_t first;
-        std::int64_t end;
+        std::int64_t first = 0;
+        std::int64_t end = 0;
+        bool holds(std::int64_t number) const { return first <= number && number < end; }
     };
     struct Refusal
     {
@@ -67,7 +67,7 @@ private:
     std::optional<std::int64_t> m_stallAt;
     double m_stallS = 0.0;
     std::optional<double> m_stalledUntilS;
-    std::optional<std::int64_t> m_damaged;
+    Span m_damaged;
     std::optional<std::int64_t> m_unplugAtReport;
     std::optional<std::int64_t> m_unplugAtExchange;
     std::optional<Refusal> m_refusal;
