@@ -1,5 +1,7 @@
 #include "device/gyros/fifo_clock.h"
 
+#include <cmath>
+
 namespace driftbench {
 
 namespace {
@@ -18,10 +20,10 @@ constexpr double square(double x)
 
 FifoClock::FifoClock(double nominalRateHz) : m_periodS(1.0 / nominalRateHz) {}
 
-void FifoClock::see(std::int64_t taken, double atS, double halfWidthS)
+void FifoClock::see(std::int64_t taken, double atS, double jitterS)
 {
-    // Variances of uniform distributions over a period, and over the time that the look took.
-    const double noise = square(m_periodS) / 12.0 + square(halfWidthS) / 3.0;
+    // Variances of uniform distributions.
+    const double noise = square(m_periodS) / 12.0 + square(jitterS) / 3.0;
     if (!m_started) {
         m_started = true;
         m_anchor = taken;
@@ -57,6 +59,12 @@ double FifoClock::timeS(std::int64_t sample) const
 double FifoClock::takenAt(double timeS) const
 {
     return static_cast<double>(m_anchor) + (timeS - m_anchorS) / m_periodS + 0.5;
+}
+
+double FifoClock::takenErrorAt(double timeS) const
+{
+    const double steps = (timeS - m_anchorS) / m_periodS;
+    return std::sqrt(m_varianceS + steps * (2.0 * m_covariance + steps * m_periodVariance)) / m_periodS;
 }
 
 } // namespace driftbench

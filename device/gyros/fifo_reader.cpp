@@ -10,11 +10,15 @@ using namespace st_gyro;
 
 namespace {
 
-// Well below 32: what comes while a slow bridge fetches must find room. Not a whole number (the fraction is
-// that of the golden section), so that looks fall on all phases between two samples and the errors of
-// rounding to whole samples cancel.
-constexpr double kSamplesWorthALook = 12.382;
-constexpr double kLongestWaitS = 0.1;
+// Well below 32: what comes while a slow bridge fetches must find room; and no longer than a user waits for
+// a stop. The fraction (of the golden section) makes looks fall on all phases between two samples, so that
+// the errors of rounding to whole samples cancel.
+constexpr double kSamplesWorthALook = 12.0;
+constexpr double kLongestWaitS = 0.2;
+constexpr double kFraction = 0.382;
+// Until then the gyro has settled, and the clock knows its data rate within some 0.2 %.
+constexpr int kWarmUpLooks = 12;
+constexpr double kErrorsForALoss = 3.0;
 
 } // namespace
 
@@ -41,10 +45,12 @@ Result<FifoBurst> FifoReader::next()
             return ok.error();
         return FifoBurst{};
     }
+    ++m_looks;
+    m_shortestLookS = std::min(m_shortestLookS, now->endedS - now->beganS);
     const FifoBurst burst = settle(&*now);
     const bool levelCounts = !now->state.full && !m_restarted;
     if (levelCounts || !m_fifoClock.started())
-        m_fifoClock.see(m_taken + now->state.samples, now->atS(), 0.5 * (now->endedS - now->beganS));
+        m_fifoClock.see(m_taken + now->state.samples, now->atS(), jitterS(*now));
     if (const Status fetched = fetch(*now); fetched) {
         m_failures = 0;
     } else if (const Status ok = overcome(fetched.error()); !ok) {
@@ -62,7 +68,8 @@ void FifoReader::wait() const
 {
     const double nowS = m_clock.nowS();
     const double periodS = m_fifoClock.periodS();
-    double restS = std::max(0.0, m_heldLook.beganS + kSamplesWorthALook * periodS - nowS);
+    const double samples = std::min(kSamplesWorthALook, std::floor(kLongestWaitS / periodS)) + kFraction;
+    double restS = std::max(0.0, m_heldLook.beganS + samples * periodS - nowS);
     // The look that tells how many samples are missing falls midway between two of them, where an error of
     // the clock counts least.
     if (m_heldSuspect && m_held.samples > 0) {
@@ -71,7 +78,7 @@ void FifoReader::wait() const
         restS += (std::ceil(taken) - taken) * periodS;
     }
     if (restS > 0.0)
-        m_clock.waitS(std::min(restS, kLongestWaitS));
+        m_clock.waitS(restS);
 }
 
 std::optional<Error> FifoReader::takeFailure()
@@ -89,6 +96,12 @@ Result<FifoReader::Look> FifoReader::look()
     now.endedS = m_clock.nowS();
     now.state = *state;
     return now;
+}
+
+// A delay that all looks have is no error, only one more phase.
+double FifoReader::jitterS(const Look &look) const
+{
+    return 0.5 * (look.endedS - look.beganS - m_shortestLookS);
 }
 
 Status FifoReader::fetch(const Look &look)
@@ -119,12 +132,16 @@ Status FifoReader::fetch(const Look &look)
 // Without a look: with what is known.
 FifoBurst FifoReader::settle(const Look *look)
 {
-    if (m_held.samples > 0 && m_heldSuspect && m_delivered > 0)
+    if (m_held.samples > 0 && m_heldSuspect && m_taken > 0)
         m_held.lostBefore = lostBeforeHeld(look);
     FifoBurst burst = std::exchange(m_held, {});
+    m_taken += burst.lostBefore;
     if (burst.samples == 0)
         return burst;
-    m_taken += burst.lostBefore;
+    if (m_looks <= kWarmUpLooks) {
+        m_taken += burst.samples;
+        return {};
+    }
     burst.firstSample = m_delivered;
     setTimes(burst);
     m_taken += burst.samples;
@@ -135,9 +152,17 @@ FifoBurst FifoReader::settle(const Look *look)
 std::int64_t FifoReader::lostBeforeHeld(const Look *look) const
 {
     const bool useLook = look != nullptr && !look->state.full && !m_restarted;
-    const double takenByThen = m_fifoClock.takenAt(useLook ? look->atS() : m_heldLook.atS());
+    const Look &by = useLook ? *look : m_heldLook;
     const int seen = useLook ? m_held.samples + look->state.samples : m_heldLook.state.samples;
-    return std::max<std::int64_t>(0, std::llround(takenByThen - static_cast<double>(m_taken + seen)));
+    const double missing = m_fifoClock.takenAt(by.atS()) - static_cast<double>(m_taken + seen);
+    // A FIFO that only may have run over must not lose samples to a clock that is not sure, or to a look that
+    // the host delayed.
+    const double doubt =
+        kErrorsForALoss * m_fifoClock.takenErrorAt(by.atS()) + jitterS(by) / m_fifoClock.periodS();
+    const bool surelyLost = m_heldLook.state.full || m_held.lostInTransfer;
+    if (!surelyLost && missing < 0.5 + doubt)
+        return 0;
+    return std::max<std::int64_t>(0, std::llround(missing));
 }
 
 // Corrections of the clock are spread over the burst, so that time never goes backwards.
@@ -146,7 +171,9 @@ void FifoReader::setTimes(FifoBurst &burst)
     const double periodS = m_fifoClock.periodS();
     burst.firstS = m_fifoClock.timeS(m_taken);
     burst.lastS = m_fifoClock.timeS(m_taken + burst.samples - 1);
-    if (m_delivered > 0) {
+    if (m_delivered == 0) {
+        burst.lostBefore = 0; // nothing is before it
+    } else {
         burst.lastS = std::max(burst.lastS, m_lastS + 0.5 * periodS * burst.samples);
         burst.firstS = burst.lostBefore > 0 ? std::clamp(burst.firstS, m_lastS + 0.5 * periodS, burst.lastS)
                                             : m_lastS + (burst.lastS - m_lastS) / burst.samples;

@@ -2,7 +2,8 @@
 //
 // The FIFO says when it is full, but not how many samples it has dropped since, nor whether more were dropped
 // while it was read. So each burst is held back until the FIFO is looked at again: if it may have run over,
-// what was lost is the difference between the samples taken by then, from the data rate, and those seen.
+// what was lost is the difference between the samples taken by then, from the data rate, and those seen. The
+// first looks serve to find that data rate, and their samples are not given.
 //
 // Errors: those of the bus. A failed transfer costs the samples in the FIFO, which is emptied and counted as
 // lost; kMostFailures in a row are an error.
@@ -13,6 +14,7 @@
 #include "device/host_clock.h"
 
 #include <array>
+#include <limits>
 #include <optional>
 
 namespace driftbench {
@@ -55,6 +57,7 @@ private:
     };
 
     Result<Look> look();
+    double jitterS(const Look &look) const;
     Status fetch(const Look &look);
     FifoBurst settle(const Look *look);
     std::int64_t lostBeforeHeld(const Look *look) const;
@@ -69,8 +72,10 @@ private:
     Look m_heldLook;
     bool m_heldSuspect = false; // samples may be missing before it
     bool m_restarted = false;   // the FIFO was emptied, and nothing was fetched since
-    std::int64_t m_taken = 0;   // delivered and lost
+    int m_looks = 0;
+    std::int64_t m_taken = 0; // given, lost, or before the first one given
     std::int64_t m_delivered = 0;
+    double m_shortestLookS = std::numeric_limits<double>::infinity();
     double m_lastS = 0.0; // time of the last one delivered
     int m_failures = 0;   // in a row
     std::optional<Error> m_failure;

@@ -96,10 +96,9 @@ Status GyroI2cSource::measure(SampleSink &sink, const std::stop_token &stop)
                    : "The temperature is that of the " + m_thermometerName + ".");
     if (const Status ok = m_fifo.start(); !ok)
         return ok;
+    noteTemperature(sink);
     Status state;
     while (!stop.stop_requested()) {
-        if (state = readTemperature(sink); !state)
-            break;
         const Result<FifoBurst> burst = m_fifo.next();
         if (!burst) {
             state = burst.error();
@@ -109,21 +108,22 @@ Status GyroI2cSource::measure(SampleSink &sink, const std::stop_token &stop)
             sink.event(failure->message);
         if (deliver(*burst, sink) == Flow::Stop)
             return {};
+        // Before the wait, which ends when the FIFO had best be looked at.
+        if (state = m_temperature.readIfDue(); !state)
+            break;
+        noteTemperature(sink);
         m_fifo.wait();
     }
     deliver(m_fifo.last(), sink);
     return state;
 }
 
-Status GyroI2cSource::readTemperature(SampleSink &sink)
+void GyroI2cSource::noteTemperature(SampleSink &sink)
 {
-    if (const Status ok = m_temperature.readIfDue(); !ok)
-        return ok;
     if (m_readings.empty() || m_readings.back().atS != m_temperature.readAtS())
         m_readings.push_back({m_temperature.readAtS(), m_temperature.temperatureC()});
     if (const std::optional<std::string> event = m_temperature.takeEvent())
         sink.event(*event);
-    return {};
 }
 
 Flow GyroI2cSource::deliver(const FifoBurst &burst, SampleSink &sink)

@@ -48,7 +48,7 @@ private:
     };
 
     Status measure(SampleSink &sink, const std::stop_token &stop);
-    Status readTemperature(SampleSink &sink);
+    void noteTemperature(SampleSink &sink);
     Flow deliver(const FifoBurst &burst, SampleSink &sink);
     double temperatureAt(double timeS);
     void noteSaturation(const st_gyro::Counts &counts, SampleSink &sink);

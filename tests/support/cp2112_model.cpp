@@ -90,7 +90,7 @@ void Cp2112Model::begin(const Report &report)
     const std::uint8_t address = report[1] >> 1;
     if (report[0] == 0x14) {
         const Report bytes(report.begin() + 3, report.begin() + 3 + report[2]);
-        finish(m_bus.write(address, bytes), bytes.size(), 4);
+        finish(m_bus.write(address, bytes), bytes.size());
         return;
     }
     std::size_t written = 0;
@@ -98,7 +98,7 @@ void Cp2112Model::begin(const Report &report)
         const Report target(report.begin() + 5, report.begin() + 5 + report[4]);
         written = target.size() + 1;
         if (const Outcome outcome = m_bus.write(address, target); outcome != Outcome::Done) {
-            finish(outcome, written, 4);
+            finish(outcome, written);
             return;
         }
     }
@@ -108,10 +108,10 @@ void Cp2112Model::begin(const Report &report)
         return;
     }
     const Outcome outcome = m_bus.read(address, length, m_read);
-    finish(outcome, written + length, 0);
+    finish(outcome, written + length);
 }
 
-void Cp2112Model::finish(Outcome outcome, std::size_t bytes, std::uint8_t)
+void Cp2112Model::finish(Outcome outcome, std::size_t bytes)
 {
     constexpr double kForEver = std::numeric_limits<double>::infinity();
     m_state = outcome == Outcome::Done ? kComplete : kError;

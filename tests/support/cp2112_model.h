@@ -18,7 +18,7 @@ private:
     Status takeFeature(const Report &report) override;
 
     void begin(const Report &report);
-    void finish(Outcome outcome, std::size_t bytes, std::uint8_t incomplete);
+    void finish(Outcome outcome, std::size_t bytes);
     void fetch(std::size_t wanted);
     Report status() const;
     bool busy() const { return m_state != 0 && nowS() < m_doneS; }

@@ -31,6 +31,7 @@ public:
     std::int64_t measured();
     std::int64_t overwritten() const { return m_overwritten; } // by a full FIFO
     std::int64_t popped() const { return m_popped; }
+    const Counts &lastPopped() const { return m_latched; }
     bool reservedWritten() const { return m_reservedWritten; }
     double timeOfSampleS(std::int64_t sample) const; // simulated time
 
