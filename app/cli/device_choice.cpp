@@ -4,6 +4,8 @@
 #include "device/simulated_bridge.h"
 #include "engine/physics/sensor_presets.h"
 
+#include <vector>
+
 namespace driftbench::cli {
 
 namespace {
