@@ -45,6 +45,9 @@ QString offence(const QString &file, const QString &included)
             return "device uses the engine only";
         if (included.startsWith("hidapi") && !file.endsWith("/hidapi_transport.cpp"))
             return "only hidapi_transport.cpp includes hidapi.h";
+        static const QRegularExpression foreign("^(Q[A-Z].*|Qt.*|qcustomplot.*|CLI.*)");
+        if (foreign.match(included).hasMatch())
+            return "device knows neither Qt nor the command line";
     }
     if (file.startsWith("device/firmware/")) {
         static const QRegularExpression core("^(std(bool|int)\\.h|device/firmware/bridge_\\w+\\.h|"
@@ -107,6 +110,9 @@ void TestIncludeRules::rules_knownOffence_isFound()
     QVERIFY(!offence("widgets/x.h", "device/y.h").isEmpty());
     QVERIFY(!offence("device/x.cpp", "hidapi/hidapi.h").isEmpty());
     QVERIFY(offence("device/hidapi_transport.cpp", "hidapi/hidapi.h").isEmpty());
+    QVERIFY(!offence("device/bridge/x.h", "QObject").isEmpty());
+    QVERIFY(!offence("device/x.cpp", "app/y.h").isEmpty());
+    QVERIFY(!offence("engine/base/x.h", "device/y.h").isEmpty());
     QVERIFY(!offence("device/firmware/x.c", "string.h").isEmpty());
     QVERIFY(!offence("device/firmware/x.c", "engine/exports/device_image.h").isEmpty());
     QVERIFY(offence("device/firmware/x.c", "engine/exports/device_image_layout.h").isEmpty());

@@ -87,8 +87,7 @@
 #define BRIDGE_CONFIG_RATE 1u       /* u32, mHz */
 #define BRIDGE_CONFIG_RANGE 5u      /* u8, index into the ranges of info */
 #define BRIDGE_CONFIG_STREAM 6u     /* u8, 1: send input reports */
-#define BRIDGE_CONFIG_COMPENSATE 7u /* u8, 1: take the active table off; without one the setting is refused  \
-                                     */
+#define BRIDGE_CONFIG_COMPENSATE 7u /* u8, 1: take the active table off; refused without one */
 
 /* Feature report 0x12: status -----------------------------------------------------------------------------
  */

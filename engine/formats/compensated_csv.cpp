@@ -202,7 +202,7 @@ Result<CompensatedCsv> fromOther(const std::filesystem::path &in, const std::fil
     appendNewColumns(header, ',');
     Status written = file->write(header + '\n');
     CompensatedCsv result;
-    const SampleSink sink = [&](const SampleBlock &block) {
+    const BlockSink sink = [&](const SampleBlock &block) {
         if (written)
             written = file->write(defaultRows(block, tde(block.temperatureC)));
         result.samples += block.size();

@@ -33,7 +33,7 @@ RecordingInfo infoOf(const CsvScanner &scanner, const std::filesystem::path &pat
 } // namespace
 
 Result<RecordingInfo> readCsvBlocks(const std::filesystem::path &path, const CsvOptions &options,
-                                    const SampleSink &sink, const ProgressHook &hook)
+                                    const BlockSink &sink, const ProgressHook &hook)
 {
     auto scanner = CsvScanner::open(path, options);
     if (!scanner)

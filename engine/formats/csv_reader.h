@@ -15,6 +15,6 @@ namespace driftbench {
 // Hands the file's samples to sink; what it says of itself comes back, with warnings. Errc::Cancelled if sink
 // or hook stop.
 Result<RecordingInfo> readCsvBlocks(const std::filesystem::path &path, const CsvOptions &options,
-                                    const SampleSink &sink, const ProgressHook &hook = {});
+                                    const BlockSink &sink, const ProgressHook &hook = {});
 
 } // namespace driftbench

@@ -192,7 +192,7 @@ Result<std::vector<LogInstance>> listDataFlash(const std::filesystem::path &path
 }
 
 Result<RecordingInfo> readDataFlashBlocks(const std::filesystem::path &path, std::optional<int> instance,
-                                          const SampleSink &sink, const ProgressHook &hook)
+                                          const BlockSink &sink, const ProgressHook &hook)
 {
     const auto survey = surveyDataFlash(path, hook);
     if (!survey)

@@ -26,6 +26,6 @@ Result<std::vector<LogInstance>> listDataFlash(const std::filesystem::path &path
                                                const ProgressHook &hook = {});
 
 Result<RecordingInfo> readDataFlashBlocks(const std::filesystem::path &path, std::optional<int> instance,
-                                          const SampleSink &sink, const ProgressHook &hook = {});
+                                          const BlockSink &sink, const ProgressHook &hook = {});
 
 } // namespace driftbench

@@ -36,7 +36,7 @@ Result<std::vector<LogInstance>> listCsv(const std::filesystem::path &path, cons
                                          const ProgressHook &hook)
 {
     LogInstance only;
-    const SampleSink sink = [&](const SampleBlock &block) {
+    const BlockSink sink = [&](const SampleBlock &block) {
         for (Eigen::Index i = 0; i < block.size(); ++i)
             note(only, block.timeS[i], block.temperatureC[i]);
         return Flow::Continue;
@@ -103,7 +103,7 @@ Result<std::vector<LogInstance>> listInstances(const std::filesystem::path &path
 }
 
 Result<RecordingInfo> readLogBlocks(const std::filesystem::path &path, const ReadOptions &options,
-                                    const SampleSink &sink, const ProgressHook &hook)
+                                    const BlockSink &sink, const ProgressHook &hook)
 {
     const auto format = detectFormat(path);
     if (!format)
@@ -128,7 +128,7 @@ Result<Recording> readLog(const std::filesystem::path &path, const ReadOptions &
                           const ProgressHook &hook)
 {
     RecordingCollector collector;
-    const SampleSink sink = [&](const SampleBlock &block) {
+    const BlockSink sink = [&](const SampleBlock &block) {
         collector.collect(block);
         return Flow::Continue;
     };

@@ -65,6 +65,6 @@ Result<Recording> readLog(const std::filesystem::path &path, const ReadOptions &
 
 // The same log handed over in blocks; for logs that are larger than memory.
 Result<RecordingInfo> readLogBlocks(const std::filesystem::path &path, const ReadOptions &options,
-                                    const SampleSink &sink, const ProgressHook &hook = {});
+                                    const BlockSink &sink, const ProgressHook &hook = {});
 
 } // namespace driftbench

@@ -15,7 +15,7 @@ void resize(SampleBlock &block, Eigen::Index samples)
 
 } // namespace
 
-BlockBuffer::BlockBuffer(SampleSink sink) : m_sink(std::move(sink))
+BlockBuffer::BlockBuffer(BlockSink sink) : m_sink(std::move(sink))
 {
     resize(m_block, kBlockSamples);
 }

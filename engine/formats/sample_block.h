@@ -14,7 +14,7 @@
 namespace driftbench {
 
 // Gets every block in the order of the log, none of them empty.
-using SampleSink = std::function<Flow(const SampleBlock &)>;
+using BlockSink = std::function<Flow(const SampleBlock &)>;
 
 // Gathers single samples to blocks of kBlockSamples for a sink.
 class BlockBuffer
@@ -22,7 +22,7 @@ class BlockBuffer
 public:
     static constexpr Eigen::Index kBlockSamples = 8192;
 
-    explicit BlockBuffer(SampleSink sink);
+    explicit BlockBuffer(BlockSink sink);
 
     Flow push(double timeS, double temperatureC, const Eigen::Vector3d &rateDps)
     {
@@ -36,7 +36,7 @@ public:
     std::int64_t samples() const { return m_block.firstSample + m_count; }
 
 private:
-    SampleSink m_sink;
+    BlockSink m_sink;
     SampleBlock m_block;
     Eigen::Index m_count = 0;
 };

@@ -79,7 +79,7 @@ Result<std::vector<LogInstance>> listULog(const std::filesystem::path &path, con
 }
 
 Result<RecordingInfo> readULogBlocks(const std::filesystem::path &path, std::optional<int> instance,
-                                     const SampleSink &sink, const ProgressHook &hook)
+                                     const BlockSink &sink, const ProgressHook &hook)
 {
     const auto survey = surveyULog(path, hook);
     if (!survey)

@@ -26,6 +26,6 @@ bool looksLikeULog(std::string_view beginning);
 Result<std::vector<LogInstance>> listULog(const std::filesystem::path &path, const ProgressHook &hook = {});
 
 Result<RecordingInfo> readULogBlocks(const std::filesystem::path &path, std::optional<int> instance,
-                                     const SampleSink &sink, const ProgressHook &hook = {});
+                                     const BlockSink &sink, const ProgressHook &hook = {});
 
 } // namespace driftbench

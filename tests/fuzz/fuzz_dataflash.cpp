@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t byte
     if (!file.whole())
         return 0;
     std::int64_t samples = 0;
-    const SampleSink sink = [&](const SampleBlock &block) {
+    const BlockSink sink = [&](const SampleBlock &block) {
         samples += block.size();
         return Flow::Continue;
     };

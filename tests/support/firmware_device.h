@@ -2,9 +2,9 @@
 #pragma once
 
 #include "device/firmware/bridge_device.h"
+#include "device/ram_flash.h"
 #include "engine/compensation/compensation_table.h"
 #include "engine/exports/device_image.h"
-#include "support/ram_flash.h"
 
 #include <array>
 #include <optional>

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-namespace driftbench::test {
+namespace driftbench {
 
 // What the operation in which the power went has done.
 enum class PowerCut
@@ -43,6 +43,8 @@ public:
     int violations() const { return m_violations; }
 
     std::vector<std::uint8_t> &bank(std::size_t index) { return m_banks[index]; }
+    // bytes: a whole bank. Units that are not erased count as programmed.
+    void restore(std::size_t bank, std::vector<std::uint8_t> bytes);
 
 private:
     enum class Step
@@ -75,4 +77,4 @@ private:
     int m_violations = 0;
 };
 
-} // namespace driftbench::test
+} // namespace driftbench

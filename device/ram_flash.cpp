@@ -1,9 +1,10 @@
-#include "support/ram_flash.h"
+#include "device/ram_flash.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstring>
 
-namespace driftbench::test {
+namespace driftbench {
 
 RamFlash::RamFlash(std::uint32_t bankBytes)
 {
@@ -33,6 +34,16 @@ RamFlash::RamFlash(const RamFlash &other)
     , m_violations(other.m_violations)
 {
     m_interface.context = this;
+}
+
+void RamFlash::restore(std::size_t bank, std::vector<std::uint8_t> bytes)
+{
+    assert(bytes.size() == m_banks[bank].size());
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        if (bytes[i] != BRIDGE_FLASH_ERASED)
+            m_programmed[bank][i / BRIDGE_FLASH_UNIT] = true;
+    }
+    m_banks[bank] = std::move(bytes);
 }
 
 void RamFlash::cutPowerAt(int operation, PowerCut how, std::uint64_t seed)
@@ -142,4 +153,4 @@ bool RamFlash::read(std::uint8_t bank, std::uint32_t offset, std::uint8_t *bytes
     return true;
 }
 
-} // namespace driftbench::test
+} // namespace driftbench

@@ -1,0 +1,194 @@
+#include "device/hidapi_transport.h"
+
+#include <hidapi.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <system_error>
+#include <unistd.h>
+
+namespace driftbench {
+
+namespace {
+
+// wchar_t holds a code point under Linux; other systems' pairs of surrogates do not occur in device names.
+void appendUtf8(std::string &text, char32_t point)
+{
+    const auto tail = [point](int shift) { return static_cast<char>(0x80 | ((point >> shift) & 0x3F)); };
+    if (point < 0x80) {
+        text += static_cast<char>(point);
+    } else if (point < 0x800) {
+        text += {static_cast<char>(0xC0 | (point >> 6)), tail(0)};
+    } else if (point < 0x10000) {
+        text += {static_cast<char>(0xE0 | (point >> 12)), tail(6), tail(0)};
+    } else {
+        text += {static_cast<char>(0xF0 | (point >> 18)), tail(12), tail(6), tail(0)};
+    }
+}
+
+std::string utf8(const wchar_t *wide)
+{
+    std::string text;
+    for (; wide && *wide != L'\0'; ++wide)
+        appendUtf8(text, static_cast<char32_t>(*wide));
+    return text;
+}
+
+std::string systemText(int errorNumber)
+{
+    return std::generic_category().message(errorNumber);
+}
+
+// hidapi tells why only in words of the user's language; opening the node once more gives the number.
+int openErrorNumber(const std::string &path)
+{
+    const int descriptor = ::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK);
+    if (descriptor < 0)
+        return errno;
+    ::close(descriptor);
+    return 0;
+}
+
+Error openError(const std::string &path)
+{
+    const int number = openErrorNumber(path);
+    switch (number) {
+    case EACCES:
+    case EPERM:
+        return {Errc::DeviceNotPermitted, "The device at " + path +
+                                              " is there, but you are not permitted to open it; " +
+                                              udevRuleHint()};
+    case ENOENT:
+    case ENODEV:
+    case ENXIO:
+        return {Errc::DeviceNotFound, "There is no device at " + path + "; plug it in."};
+    case EBUSY:
+        return {Errc::DeviceInUse, "Another program holds the device at " + path + "; close that program."};
+    default:
+        return {Errc::DeviceRefused, "The device at " + path + " can't be opened (" +
+                                         (number != 0 ? systemText(number) : utf8(hid_error(nullptr))) +
+                                         "); unplug it and plug it in again."};
+    }
+}
+
+class HidapiTransport final : public HidTransport
+{
+public:
+    HidapiTransport(hid_device *device, HidIdentity identity)
+        : m_device(device), m_identity(std::move(identity))
+    {
+    }
+    ~HidapiTransport() override { hid_close(m_device); }
+    HidapiTransport(const HidapiTransport &) = delete;
+    HidapiTransport &operator=(const HidapiTransport &) = delete;
+
+    const HidIdentity &identity() const override { return m_identity; }
+    Result<std::size_t> read(std::span<std::uint8_t> report, std::chrono::milliseconds timeout) override;
+    Status write(std::span<const std::uint8_t> report) override;
+    Result<std::size_t> getFeature(std::span<std::uint8_t> report) override;
+    Status sendFeature(std::span<const std::uint8_t> report) override;
+
+private:
+    Error unplugged() const
+    {
+        return {Errc::DeviceUnplugged, "The device at " + m_identity.path +
+                                           " was unplugged, or a driver of the kernel took it; plug it in "
+                                           "again."};
+    }
+    Error exchangeError(const char *what, std::uint8_t id, int errorNumber) const;
+
+    hid_device *m_device;
+    HidIdentity m_identity;
+};
+
+Error HidapiTransport::exchangeError(const char *what, std::uint8_t id, int errorNumber) const
+{
+    const std::string report = std::string(what) + " report " + std::to_string(id);
+    switch (errorNumber) {
+    case ENODEV:
+    case ENXIO:
+    case ENOENT:
+    case ESHUTDOWN:
+        return unplugged();
+    case ETIMEDOUT:
+        return {Errc::DeviceSilent, "The device at " + m_identity.path + " did not answer to " + report +
+                                        " in time; unplug it and plug it in again."};
+    default:
+        return {Errc::DeviceRefused,
+                "The device at " + m_identity.path + " refused to " + report + " (" +
+                    (errorNumber != 0 ? systemText(errorNumber) : utf8(hid_error(m_device))) + ")."};
+    }
+}
+
+Result<std::size_t> HidapiTransport::read(std::span<std::uint8_t> report, std::chrono::milliseconds timeout)
+{
+    errno = 0;
+    const int length =
+        hid_read_timeout(m_device, report.data(), report.size(), static_cast<int>(timeout.count()));
+    if (length >= 0)
+        return static_cast<std::size_t>(length);
+    // Nothing but the device's end and a signal makes a read of hidraw fail.
+    if (errno == EINTR)
+        return std::size_t{0};
+    return unplugged();
+}
+
+Status HidapiTransport::write(std::span<const std::uint8_t> report)
+{
+    errno = 0;
+    if (hid_write(m_device, report.data(), report.size()) < 0)
+        return exchangeError("take", report[0], errno);
+    return {};
+}
+
+Result<std::size_t> HidapiTransport::getFeature(std::span<std::uint8_t> report)
+{
+    const std::uint8_t id = report[0];
+    errno = 0;
+    const int length = hid_get_feature_report(m_device, report.data(), report.size());
+    if (length < 0)
+        return exchangeError("give", id, errno);
+    return static_cast<std::size_t>(length);
+}
+
+Status HidapiTransport::sendFeature(std::span<const std::uint8_t> report)
+{
+    errno = 0;
+    if (hid_send_feature_report(m_device, report.data(), report.size()) < 0)
+        return exchangeError("take", report[0], errno);
+    return {};
+}
+
+} // namespace
+
+std::vector<HidIdentity> listHidDevices()
+{
+    std::vector<HidIdentity> devices;
+    hid_device_info *const first = hid_enumerate(0, 0);
+    for (const hid_device_info *each = first; each; each = each->next) {
+        // One of several usages of the same node is enough.
+        if (!devices.empty() && devices.back().path == each->path)
+            continue;
+        devices.push_back({each->vendor_id, each->product_id, utf8(each->manufacturer_string),
+                           utf8(each->product_string), utf8(each->serial_number), each->path,
+                           each->interface_number});
+    }
+    hid_free_enumeration(first);
+    return devices;
+}
+
+Result<std::unique_ptr<HidTransport>> openHidDevice(const HidIdentity &identity)
+{
+    if (hid_device *const device = hid_open_path(identity.path.c_str()))
+        return std::unique_ptr<HidTransport>(std::make_unique<HidapiTransport>(device, identity));
+    return openError(identity.path);
+}
+
+std::string udevRuleHint()
+{
+    return "install resources/70-driftbench.rules as root into /etc/udev/rules.d, run \"udevadm control "
+           "--reload\" and \"udevadm trigger\", and plug the device in again.";
+}
+
+} // namespace driftbench

@@ -1,0 +1,25 @@
+// HID devices of this computer, through hidapi (its hidraw backend under Linux).
+//
+// Errors of openHidDevice: DeviceNotFound (nothing at the path), DeviceNotPermitted (with how to install the
+// udev rule), DeviceInUse, DeviceRefused (anything else, with the system's words). Errors of the transport as
+// hid_transport.h says; a signal while reading is a time-out.
+#pragma once
+
+#include "device/hid_transport.h"
+
+#include <memory>
+#include <vector>
+
+namespace driftbench {
+
+// All that are plugged in. Takes 30 to 55 ms: not on a thread that draws. One at a time: hidapi's list is not
+// made for threads.
+std::vector<HidIdentity> listHidDevices();
+
+// identity: one of the list; only its path is used to open it.
+Result<std::unique_ptr<HidTransport>> openHidDevice(const HidIdentity &identity);
+
+// How to install resources/70-driftbench.rules, one sentence.
+std::string udevRuleHint();
+
+} // namespace driftbench

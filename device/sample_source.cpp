@@ -1,0 +1,21 @@
+#include "device/sample_source.h"
+
+#include <cassert>
+
+namespace driftbench {
+
+std::string_view gapCauseText(GapCause cause)
+{
+    switch (cause) {
+    case GapCause::ReportsLost:
+        return "reports lost";
+    case GapCause::DeviceOverrun:
+        return "overrun in the device";
+    case GapCause::Unplugged:
+        return "unplugged";
+    }
+    assert(false);
+    return {};
+}
+
+} // namespace driftbench
