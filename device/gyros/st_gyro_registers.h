@@ -27,7 +27,6 @@ enum Register : std::uint8_t
     Ctrl4 = 0x23,
     Ctrl5 = 0x24,
     OutTemp = 0x26,
-    StatusReg = 0x27,
     OutXLow = 0x28,
     FifoCtrl = 0x2E,
     FifoSrc = 0x2F,

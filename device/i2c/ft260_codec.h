@@ -20,7 +20,7 @@ inline constexpr std::uint16_t kVendorId = 0x0403;
 inline constexpr std::uint16_t kProductId = 0x6030;
 inline constexpr std::size_t kReportSize = 64;
 inline constexpr std::size_t kDataPerReport = 60;
-inline constexpr std::size_t kLongestRead = 180; // of one request; more comes with holes from real chips
+inline constexpr std::size_t kLongestRead = 180; // three whole reports, as Linux asks for at once
 inline constexpr int kSlowestKHz = 60;
 inline constexpr int kFastestKHz = 3400;
 

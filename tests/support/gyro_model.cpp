@@ -69,12 +69,6 @@ double GyroModel::timeOfSampleS(std::int64_t sample) const
     return m_beganS + static_cast<double>(sample + 1) / trueRateHz();
 }
 
-std::int64_t GyroModel::measured()
-{
-    catchUp();
-    return m_measured;
-}
-
 void GyroModel::catchUp()
 {
     if (!powered())

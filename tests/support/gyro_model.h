@@ -28,7 +28,6 @@ public:
 
     std::uint8_t reg(std::uint8_t address) const { return m_registers[address]; }
     double trueRateHz() const;
-    std::int64_t measured();
     std::int64_t overwritten() const { return m_overwritten; } // by a full FIFO
     std::int64_t popped() const { return m_popped; }
     const Counts &lastPopped() const { return m_latched; }
