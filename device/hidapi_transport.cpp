@@ -3,8 +3,9 @@
 #include <hidapi.h>
 
 #include <cerrno>
-#include <cstring>
 #include <fcntl.h>
+#include <linux/hidraw.h>
+#include <sys/ioctl.h>
 #include <system_error>
 #include <unistd.h>
 
@@ -40,19 +41,21 @@ std::string systemText(int errorNumber)
     return std::generic_category().message(errorNumber);
 }
 
-// hidapi tells why only in words of the user's language; opening the node once more gives the number.
+// Why the node can't be used, 0 if it can. hidapi tells why only in words of the user's language, and 0.13
+// crashes on a node that is no HID device.
 int openErrorNumber(const std::string &path)
 {
     const int descriptor = ::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK);
     if (descriptor < 0)
         return errno;
+    int bytes = 0;
+    const int number = ::ioctl(descriptor, HIDIOCGRDESCSIZE, &bytes) < 0 ? errno : 0;
     ::close(descriptor);
-    return 0;
+    return number;
 }
 
-Error openError(const std::string &path)
+Error openError(const std::string &path, int number)
 {
-    const int number = openErrorNumber(path);
     switch (number) {
     case EACCES:
     case EPERM:
@@ -180,9 +183,11 @@ std::vector<HidIdentity> listHidDevices()
 
 Result<std::unique_ptr<HidTransport>> openHidDevice(const HidIdentity &identity)
 {
+    if (const int number = openErrorNumber(identity.path); number != 0)
+        return openError(identity.path, number);
     if (hid_device *const device = hid_open_path(identity.path.c_str()))
         return std::unique_ptr<HidTransport>(std::make_unique<HidapiTransport>(device, identity));
-    return openError(identity.path);
+    return openError(identity.path, 0);
 }
 
 std::string udevRuleHint()

@@ -1,0 +1,97 @@
+// What can be known of hidapi and the udev rule without a device: paths that can't be opened, and what is in
+// the rule.
+#include "device/bridge/bridge_protocol.h"
+#include "device/hidapi_transport.h"
+#include "support/test_data.h"
+
+#include <QDir>
+#include <QFile>
+#include <QRegularExpression>
+#include <QTest>
+
+#include <unistd.h>
+
+using namespace driftbench;
+using namespace driftbench::test;
+
+class TestDeviceHidapi : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void open_nothingThere_isNotFound();
+    void open_noHidDevice_isRefused();
+    void open_notPermitted_namesTheRule();
+    void list_everyDevice_hasAPath();
+    void udevRule_everyLine_isMatchedAndSortsEarly();
+};
+
+namespace {
+
+Error openError(const std::string &path)
+{
+    HidIdentity identity;
+    identity.path = path;
+    const auto device = openHidDevice(identity);
+    return device ? Error{Errc::Cancelled, "It was opened."} : device.error();
+}
+
+} // namespace
+
+void TestDeviceHidapi::open_nothingThere_isNotFound()
+{
+    const Error error = openError("/dev/hidraw-none");
+    QCOMPARE(error.code, Errc::DeviceNotFound);
+    QVERIFY(error.message.find("/dev/hidraw-none") != std::string::npos);
+}
+
+void TestDeviceHidapi::open_noHidDevice_isRefused()
+{
+    QCOMPARE(openError("/dev/null").code, Errc::DeviceRefused);
+}
+
+void TestDeviceHidapi::open_notPermitted_namesTheRule()
+{
+    if (::geteuid() == 0)
+        QSKIP("root is permitted everything");
+    QFile file(QString::fromStdString((scratchFolder() / "hidraw0").string()));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QVERIFY(file.setPermissions({}));
+    const Error error = openError(file.fileName().toStdString());
+    QCOMPARE(error.code, Errc::DeviceNotPermitted);
+    QVERIFY(error.message.find("70-driftbench.rules") != std::string::npos);
+}
+
+void TestDeviceHidapi::list_everyDevice_hasAPath()
+{
+    for (const HidIdentity &device : listHidDevices())
+        QVERIFY(!device.path.empty());
+}
+
+void TestDeviceHidapi::udevRule_everyLine_isMatchedAndSortsEarly()
+{
+    const QDir resources(QStringLiteral(DRIFTBENCH_SOURCE_DIR "/resources"));
+    const QStringList rules = resources.entryList({"*.rules"});
+    QCOMPARE(rules, QStringList{"70-driftbench.rules"});
+    QVERIFY(rules.front() < QString("73-seat-late.rules"));
+    QFile file(resources.filePath(rules.front()));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    static const QRegularExpression rule(
+        "^KERNEL==\"hidraw\\*\", SUBSYSTEM==\"hidraw\", ATTRS\\{idVendor\\}==\"([0-9a-f]{4})\", "
+        "ATTRS\\{idProduct\\}==\"([0-9a-f]{4})\", TAG\\+=\"uaccess\"$");
+    QStringList ids;
+    for (const QString &line : QString::fromUtf8(file.readAll()).split('\n', Qt::SkipEmptyParts)) {
+        if (line.startsWith('#'))
+            continue;
+        const auto match = rule.match(line);
+        QVERIFY2(match.hasMatch(), qPrintable(line));
+        ids << match.captured(1) + ':' + match.captured(2);
+    }
+    const QString native = QString("%1:%2")
+                               .arg(BRIDGE_VENDOR_ID, 4, 16, QLatin1Char('0'))
+                               .arg(BRIDGE_PRODUCT_ID, 4, 16, QLatin1Char('0'));
+    QCOMPARE(ids, (QStringList{native, "04d8:00dd", "10c4:ea90", "0403:6030"}));
+}
+
+QTEST_APPLESS_MAIN(TestDeviceHidapi)
+#include "tst_device_hidapi.moc"
