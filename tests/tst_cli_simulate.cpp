@@ -384,8 +384,8 @@ void TestCliSimulate::simulate_interrupted_leavesNothing()
 
 void TestCliSimulate::help_everyCommand_fitsATerminalAndHasAnExample()
 {
-    const QStringList commands{"plan",  "simulate", "inspect", "fit",      "evaluate",
-                               "apply", "export",   "physics", "reproduce"};
+    const QStringList commands{"plan",  "simulate", "inspect", "fit",     "evaluate",
+                               "apply", "export",   "device",  "physics", "reproduce"};
     QList<QStringList> helps{{"--help"}};
     for (const QString &command : commands)
         helps.append({command, "--help"});

@@ -13,7 +13,8 @@ QString cliPath()
 
 Outcome finish(QProcess &process)
 {
-    if (!process.waitForFinished(60000))
+    constexpr int kPatienceMs = 300000; // the longest command takes a minute under the sanitizers
+    if (!process.waitForFinished(kPatienceMs))
         qFatal("%s did not end", qPrintable(process.program()));
     return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
             process.readAllStandardOutput(), process.readAllStandardError()};

@@ -19,7 +19,7 @@ struct Outcome
 
 QString cliPath();
 
-// Waits for the end of a process that was started; a minute without one is fatal.
+// Waits for the end of a process that was started; five minutes without one are fatal.
 Outcome finish(QProcess &process);
 Outcome runCli(const QStringList &arguments);
 
