@@ -1,6 +1,7 @@
 // A compensation table on its way into a native gyro bridge, and back out of it: written into the spare bank,
-// read back, compared, verified by the device's own CRC, committed, activated. The table in use stays in use
-// until the moment of activation; whatever is cut off before it leaves the device with the old one.
+// verified by the device's own CRC, committed, read back, compared, activated. The table in use stays in use
+// until the moment of activation; whatever is cut off before it leaves the device with the old one. The bank
+// is read back once it is committed, because only then does the status tell which one it is.
 //
 // Errors, beside those of the transport: WrongSensor where image and device name different sensors,
 // ModelDamaged for bytes that are no image, DeviceRefused where the device can't take this kind or length,
