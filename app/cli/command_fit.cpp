@@ -1,3 +1,4 @@
+#include "app/campaign/calibration_result.h"
 #include "app/cli/cli_io.h"
 #include "app/cli/command.h"
 #include "app/cli/dynamic_experiment_text.h"
@@ -26,16 +27,6 @@ struct FitArguments
     bool dynamic = false;
     bool json = false;
 };
-
-CampaignSummary summaryOf(const LoadedCampaign &loaded)
-{
-    CampaignSummary summary;
-    summary.sensor = loaded.campaign.sensor;
-    summary.referenceTemperatureC = loaded.features.referenceTemperatureC;
-    for (const Run &run : loaded.campaign.runs)
-        summary.runs.push_back(factsOf(run));
-    return summary;
-}
 
 // A run may be named by its file: the campaign's runs are in the order of the files.
 std::vector<std::string> namesOfHeldOut(const FitArguments &arguments, const Campaign &campaign)

@@ -2,7 +2,7 @@
 
 #include "app/campaign/campaign_request.h"
 #include "app/campaign/held_out_folders.h"
-#include "app/report/report_json.h"
+#include "engine/exports/comparison_reader.h"
 #include "engine/models/model_file.h"
 
 #include <algorithm>
