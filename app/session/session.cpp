@@ -1,5 +1,6 @@
 #include "app/session/session.h"
 
+#include "app/session/session_file_state.h"
 #include "app/session/session_lock.h"
 
 #include <QDateTime>
@@ -166,10 +167,12 @@ Status Session::load()
     m_testPlan = *std::move(plan);
     if (Status runs = readRuns(); !runs)
         return runs;
-    if (Status loaded = loadPlan(); !loaded)
-        return loaded;
-    if (Status loaded = loadResult(); !loaded)
-        return loaded;
+    // What was measured is of use without them.
+    std::vector<SessionEvent> problems;
+    for (const auto part : {&Session::loadSource, &Session::loadPlan, &Session::loadChoice, &Session::loadResult}) {
+        if (const Status loaded = (this->*part)(); !loaded)
+            problems.push_back({std::nullopt, 0, utcNow(), "problem", loaded.error().message});
+    }
     auto exports = m_file.exports();
     if (!exports)
         return exports.error();
@@ -186,6 +189,7 @@ Status Session::load()
     if (!events)
         return events.error();
     m_events = *std::move(events);
+    m_events.insert(m_events.end(), problems.begin(), problems.end());
     return {};
 }
 

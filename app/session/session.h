@@ -28,6 +28,7 @@
 #include "app/session/session_event.h"
 #include "app/session/session_file.h"
 #include "app/session/training_job.h"
+#include "device/source_choice.h"
 #include "engine/base/result.h"
 #include "engine/physics/test_plan.h"
 
@@ -71,6 +72,10 @@ public:
     // Gives an unnamed session its place; a named one is copied there and goes on there. Not while it is
     // being recorded into. A copy that the user keeps beside it: SessionFile::saveCopy in a TaskJob.
     Status saveAs(const std::filesystem::path &file);
+
+    // Source
+    const std::optional<SourceChoice> &source() const { return m_source; }
+    Status setSource(const SourceChoice &choice);
 
     // Test plan
     const std::optional<TestPlan> &testPlan() const { return m_testPlan; }
@@ -123,6 +128,7 @@ public:
 
 signals:
     void nameChanged();
+    void sourceChanged();
     void testPlanChanged();
     void runsChanged();
     void planChanged(); // also where undo and redo texts changed
@@ -139,6 +145,7 @@ signals:
 private:
     enum class Part
     {
+        Source,
         TestPlan,
         Plan,
         Result,
@@ -148,7 +155,9 @@ private:
     explicit Session(SessionFile file);
     static Result<std::unique_ptr<Session>> around(SessionFile file);
     Status load();
+    Status loadSource();
     Status loadPlan();
+    Status loadChoice();
     Status loadResult();
     Status mayChange() const;
     Status readRuns();
@@ -164,6 +173,7 @@ private:
     bool m_unnamed = false;
     std::set<Part> m_unsaved;
 
+    std::optional<SourceChoice> m_source;
     std::optional<TestPlan> m_testPlan;
     std::vector<RunRecord> m_runs;
     SensorIdentity m_sensor;

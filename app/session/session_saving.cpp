@@ -1,7 +1,7 @@
 #include "app/session/session.h"
 
 #include "app/session/session_file_state.h"
-
+#include "app/session/session_source.h"
 #include "engine/models/model_file.h"
 
 #include <nlohmann/json.hpp>
@@ -12,6 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr const char *kSource = "source";
 constexpr const char *kPlan = "calibration-plan";
 constexpr const char *kResult = "result"; // which comparison and models are those of the plan of now
 constexpr const char *kChoice = "export-choice";
@@ -107,6 +108,8 @@ Status Session::saveAgain()
 Status Session::write(Part part)
 {
     switch (part) {
+    case Part::Source:
+        return m_file.setDocument(kSource, sourceChoiceToJson(*m_source));
     case Part::TestPlan:
         return m_file.setPlan(*m_testPlan);
     case Part::Plan:
@@ -138,17 +141,47 @@ Status Session::writePlan()
     return {};
 }
 
+Status Session::loadSource()
+{
+    const auto text = m_file.document(kSource);
+    if (!text)
+        return text.error();
+    if (!*text)
+        return {};
+    auto choice = sourceChoiceFromJson(**text);
+    if (!choice)
+        return choice.error();
+    m_source = *std::move(choice);
+    return {};
+}
+
+Status Session::loadChoice()
+{
+    const auto text = m_file.document(kChoice);
+    if (!text)
+        return text.error();
+    if (!*text)
+        return {};
+    auto choice = exportChoiceFromJson(**text);
+    if (!choice)
+        return choice.error();
+    m_choice = *std::move(choice);
+    return {};
+}
+
 Status Session::loadPlan()
 {
     const auto text = m_file.document(kPlan);
     if (!text)
         return text.error();
     CalibrationPlan plan;
+    Status damage;
     if (*text) {
         auto read = calibrationPlanFromJson(**text);
-        if (!read)
-            return read.error();
-        plan = *std::move(read);
+        if (read)
+            plan = *std::move(read);
+        else
+            damage = read.error();
     }
     plan = fittedToRuns(std::move(plan), m_runs);
     for (RunInPlan &inPlan : plan.runs) {
@@ -160,7 +193,7 @@ Status Session::loadPlan()
     }
     m_writtenPlan = plan;
     m_history.reset(std::move(plan));
-    return {};
+    return damage;
 }
 
 Status Session::writeResult()
@@ -187,14 +220,6 @@ Status Session::writeResult()
 
 Status Session::loadResult()
 {
-    if (const auto choice = m_file.document(kChoice); !choice)
-        return choice.error();
-    else if (*choice) {
-        auto read = exportChoiceFromJson(**choice);
-        if (!read)
-            return read.error();
-        m_choice = *std::move(read);
-    }
     const auto text = m_file.document(kResult);
     if (!text)
         return text.error();

@@ -22,6 +22,16 @@ Status Session::mayChange() const
     return {};
 }
 
+Status Session::setSource(const SourceChoice &choice)
+{
+    if (Status may = mayChange(); !may)
+        return may;
+    m_source = choice;
+    const Status saved = save(Part::Source);
+    emit sourceChanged();
+    return saved;
+}
+
 Status Session::setTestPlan(const TestPlan &plan)
 {
     if (Status may = mayChange(); !may)
