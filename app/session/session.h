@@ -107,6 +107,10 @@ public:
     // What a TrainingJob needs for the plan of now.
     Result<TrainingInput> trainingInput(bool train = true) const;
 
+    // The last evaluation of a saved model on these runs, as JSON; empty: none.
+    const std::string &evaluation() const { return m_evaluation; }
+    Status setEvaluation(const std::string &json);
+
     // Export
     const ExportChoice &exportChoice() const { return m_choice; }
     Status setExportChoice(const ExportChoice &choice);
@@ -134,6 +138,7 @@ signals:
     void planChanged(); // also where undo and redo texts changed
     void preparedChanged();
     void resultChanged();
+    void evaluationChanged();
     void exportChoiceChanged();
     void exportsChanged();
     void uploadsChanged();
@@ -183,6 +188,7 @@ private:
     std::shared_ptr<const PreparedCampaign> m_prepared;
     std::shared_ptr<const CalibrationResult> m_result;
     std::map<std::string, ModelId> m_modelIds;
+    std::string m_evaluation;
     ExportChoice m_choice;
     std::vector<ExportRecord> m_exports;
     std::vector<UploadRecord> m_uploads;

@@ -15,6 +15,7 @@ using Json = nlohmann::ordered_json;
 constexpr const char *kSource = "source";
 constexpr const char *kPlan = "calibration-plan";
 constexpr const char *kResult = "result"; // which comparison and models are those of the plan of now
+constexpr const char *kEvaluation = "evaluation";
 constexpr const char *kChoice = "export-choice";
 
 bool sameMarks(const RunInPlan &a, const RunInPlan &b)
@@ -220,6 +221,10 @@ Status Session::writeResult()
 
 Status Session::loadResult()
 {
+    if (auto evaluation = m_file.document(kEvaluation); !evaluation)
+        return evaluation.error();
+    else
+        m_evaluation = evaluation->value_or("");
     const auto text = m_file.document(kResult);
     if (!text)
         return text.error();
@@ -261,6 +266,15 @@ Status Session::setResult(const std::shared_ptr<const CalibrationResult> &result
     const Status saved = save(Part::Result);
     emit resultChanged();
     return saved;
+}
+
+Status Session::setEvaluation(const std::string &json)
+{
+    if (Status set = m_file.setDocument(kEvaluation, json); !set)
+        return set;
+    m_evaluation = json;
+    emit evaluationChanged();
+    return {};
 }
 
 Status Session::planEdited()
