@@ -79,7 +79,7 @@ Result<FitInput> fromSession(const FitArguments &arguments, const std::filesyste
     if (!plan)
         return plan.error();
     if (Status edited = (*session)->editPlan(*std::move(plan), "options of fit"); !edited)
-        return edited;
+        return edited.error();
     auto prepared = prepareSession(**session, (*session)->plan(), hook);
     if (!prepared)
         return prepared.error();
