@@ -1,6 +1,7 @@
 // docs/bridge-protocol.md says what the headers and the reference firmware do: every constant of its tables,
 // the order of the fields, the report descriptor and each byte of its worked example.
 #include "support/firmware_device.h"
+#include "support/test_data.h"
 
 #include <QFile>
 #include <QMap>
@@ -27,7 +28,7 @@ namespace {
 
 QString contentOf(const QString &path)
 {
-    QFile file(QStringLiteral(DRIFTBENCH_SOURCE_DIR) + "/" + path);
+    QFile file(driftbench::test::sourceFolder() + "/" + path);
     return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
 

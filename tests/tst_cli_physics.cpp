@@ -1,4 +1,5 @@
 #include "support/cli_process.h"
+#include "support/test_data.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -162,7 +163,7 @@ void TestCliPhysics::report_damagedPhysics_isRefused()
     for (const char *text : {"{", "{}", R"({"combs": 3})"}) {
         writeBytes(folder.filePath("physics.json"), text);
         QProcess process;
-        process.start(QStringLiteral(DRIFTBENCH_BIN_DIR) + "/driftbench-report",
+        process.start(driftbench::test::programFolder() + "/driftbench-report",
                       {folder.path(), "--out", folder.filePath("plots")});
         const Outcome outcome = finish(process);
         QCOMPARE(outcome.exitCode, 40);

@@ -31,7 +31,7 @@ Outcome TestCliReport::report(const QStringList &arguments) const
 {
     QProcess process;
     process.setWorkingDirectory(m_folder.path());
-    process.start(QStringLiteral(DRIFTBENCH_BIN_DIR) + "/driftbench-report", arguments);
+    process.start(driftbench::test::programFolder() + "/driftbench-report", arguments);
     return finish(process);
 }
 

@@ -70,7 +70,7 @@ void TestDeviceHidapi::list_everyDevice_hasAPath()
 
 void TestDeviceHidapi::udevRule_everyLine_isMatchedAndSortsEarly()
 {
-    const QDir resources(QStringLiteral(DRIFTBENCH_SOURCE_DIR "/resources"));
+    const QDir resources(driftbench::test::sourceFolder() + "/resources");
     const QStringList rules = resources.entryList({"*.rules"});
     QCOMPARE(rules, QStringList{"70-driftbench.rules"});
     QVERIFY(rules.front() < QString("73-seat-late.rules"));

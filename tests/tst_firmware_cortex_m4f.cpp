@@ -180,7 +180,7 @@ void TestFirmwareCortexM4f::initTestCase()
             QSKIP(qPrintable(QStringLiteral("firmware_cortex_m4f: there is no %1 here").arg(program)));
     }
     m_folder = QString::fromStdString(scratchFolder().string());
-    const QString source = QStringLiteral(DRIFTBENCH_SOURCE_DIR);
+    const QString source = driftbench::test::sourceFolder();
     const QStringList core = filesOf(source + "/device/firmware");
     QCOMPARE(core.size(), 8);
     run(m_folder, "arm-none-eabi-gcc", kCompilerFlags + QStringList{"-I" + source, "-c"} + core);

@@ -68,7 +68,7 @@ QString offence(const QString &file, const QString &included)
 void TestIncludeRules::includes_everyFile_followTheRules_data()
 {
     QTest::addColumn<QString>("room");
-    const QDir root(DRIFTBENCH_SOURCE_DIR);
+    const QDir root(driftbench::test::sourceFolder());
     for (const char *room : {"engine", "widgets", "device", "app"}) {
         if (root.exists(room))
             QTest::newRow(room) << QString(room);
@@ -80,7 +80,7 @@ void TestIncludeRules::includes_everyFile_followTheRules()
     QFETCH(QString, room);
     static const QRegularExpression include(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])",
                                             QRegularExpression::MultilineOption);
-    const QDir root(DRIFTBENCH_SOURCE_DIR);
+    const QDir root(driftbench::test::sourceFolder());
     QDirIterator files(root.filePath(room), {"*.h", "*.cpp", "*.c"}, QDir::Files,
                        QDirIterator::Subdirectories);
     int seen = 0;

@@ -1,5 +1,7 @@
 #include "support/cli_process.h"
 
+#include "support/test_data.h"
+
 #include <QDir>
 #include <QDirIterator>
 #include <QFile>
@@ -8,7 +10,7 @@ namespace driftbench::test {
 
 QString cliPath()
 {
-    return QStringLiteral(DRIFTBENCH_BIN_DIR "/driftbench-cli");
+    return programFolder() + "/driftbench-cli";
 }
 
 Outcome finish(QProcess &process)

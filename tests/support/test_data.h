@@ -1,4 +1,6 @@
-// Where tests find recorded data of others, and how they skip, by name and aloud, where it is missing.
+// Where tests find the project's own files, its programs and recorded data of others, and how they skip, by
+// name and aloud, where the data are missing. Paths are known here only: what else is compiled is the same in
+// every checkout.
 #pragma once
 
 #include <QString>
@@ -7,6 +9,9 @@
 #include <filesystem>
 
 namespace driftbench::test {
+
+QString sourceFolder();  // of the checkout
+QString programFolder(); // driftbench-cli and the others, as built
 
 // The shared data folder beside the checkout (or DRIFTBENCH_SHARED_DATA); empty if it is not there.
 std::filesystem::path sharedData();
