@@ -187,7 +187,9 @@ void TestCliSession::fit_session_findsWhatTheLogsGive()
 void TestCliSession::fit_session_keepsWhatWasSaid()
 {
     import();
-    QCOMPARE(runCli(QStringList{"fit", session(), "--hold-out", "run2", "--exclude", "10:20"} + kQuickModels).exitCode, 0);
+    QCOMPARE(runCli(QStringList{"fit", session(), "--hold-out", "run2", "--exclude", "10:20"} + kQuickModels)
+                 .exitCode,
+             0);
     const Outcome again = runCli({"fit", session(), "--json"});
     QCOMPARE(again.exitCode, 0);
     const Json comparison = jsonFrom(again);
@@ -244,13 +246,15 @@ void TestCliSession::evaluate_session_judgesItsRuns()
 {
     import();
     QCOMPARE(runCli(QStringList{"fit", session(), "--hold-out", "run3"} + kQuickModels).exitCode, 0);
-    const Outcome outcome = runCli({"evaluate", "--model", session(), "--name", "linear", session(), "--json"});
+    const Outcome outcome =
+        runCli({"evaluate", "--model", session(), "--name", "linear", session(), "--json"});
     QVERIFY2(outcome.exitCode == 0, outcome.errors);
     const Json judged = jsonFrom(outcome);
     QCOMPARE(judged["rows"].size(), std::size_t(3 * 3));
     const QString out = m_folder->filePath("fit");
     QCOMPARE(runCli(QStringList{"fit", session(), "--out", out}).exitCode, 0);
-    const Json byFile = jsonFrom(runCli({"evaluate", "--model", out + "/models/linear.json", session(), "--json"}));
+    const Json byFile =
+        jsonFrom(runCli({"evaluate", "--model", out + "/models/linear.json", session(), "--json"}));
     QVERIFY(byFile["rows"] == judged["rows"]);
 }
 

@@ -216,8 +216,8 @@ void TestSessionHistory::exportChoice_asText_comesBack()
 void TestSessionHistory::sourceChoice_asText_comesBack_data()
 {
     QTest::addColumn<QString>("text");
-    for (const char *text : {"simulated", "simulated:L3GD20H:A7", "hid", "hid:SIM-0001", "i2c:mcp2221a/l3gd20h+tmp117",
-                             "file:/tmp/a run.csv*20"})
+    for (const char *text : {"simulated", "simulated:L3GD20H:A7", "hid", "hid:SIM-0001",
+                             "i2c:mcp2221a/l3gd20h+tmp117", "file:/tmp/a run.csv*20"})
         QTest::newRow(text) << text;
 }
 
@@ -232,7 +232,8 @@ void TestSessionHistory::sourceChoice_asText_comesBack()
     if (auto *simulated = choice->as<SimulatedChoice>()) {
         simulated->seed = 42;
         simulated->spread = 0.01;
-        simulated->profile = *TemperatureProfile::build("own", -10.0, {HoldSegment{60.0}, RampSegment{20.0, 0.7, 5.0}});
+        simulated->profile =
+            *TemperatureProfile::build("own", -10.0, {HoldSegment{60.0}, RampSegment{20.0, 0.7, 5.0}});
     }
     if (auto *native = choice->as<NativeChoice>())
         native->ids = {{0x1209, 0x0001}, {0x04d8, 0xf000}};

@@ -1,5 +1,5 @@
-// Work off the owner's thread: outcomes arrive on the owner's, a cancel is heeded, an owner that goes takes its
-// work along.
+// Work off the owner's thread: outcomes arrive on the owner's, a cancel is heeded, an owner that goes takes
+// its work along.
 #include "app/session/load_job.h"
 #include "app/session/session.h"
 #include "app/session/session_source.h"
@@ -304,7 +304,9 @@ void TestSessionJobs::training_cancelledAfterAModel_keepsFinishedOnes()
     const CalibrationResult &result = ***trainee.outcome;
     QVERIFY(result.model("constant") && result.model("linear") && result.model("auto"));
     QVERIFY(!result.model("bpnn"));
-    const auto isAbout = [](const std::string &warning) { return warning.find("'bpnn'") != std::string::npos; };
+    const auto isAbout = [](const std::string &warning) {
+        return warning.find("'bpnn'") != std::string::npos;
+    };
     QVERIFY(std::any_of(result.figures.warnings.begin(), result.figures.warnings.end(), isAbout));
 }
 
@@ -406,7 +408,11 @@ void TestSessionJobs::upload_noDevice_isAnError()
     UploadJob job;
     std::optional<Result<UploadOutcome>> uploaded;
     connect(&job, &UploadJob::uploaded, this, [&](const auto &outcome) { uploaded = outcome; });
-    job.upload([]() -> Result<std::shared_ptr<BridgeClient>> { return Error{Errc::DeviceNotFound, "None."}; }, {});
+    job.upload(
+        []() -> Result<std::shared_ptr<BridgeClient>> {
+            return Error{Errc::DeviceNotFound, "None."};
+        },
+        {});
     QTRY_VERIFY(uploaded);
     QCOMPARE(uploaded->error().code, Errc::DeviceNotFound);
 }

@@ -209,7 +209,8 @@ void TestSessionObject::editPlan_withResult_dropsWhatIsComputed()
     plan.runs[2].takesPart = false;
     QVERIFY(session->editPlan(plan, "leave out run 3"));
     QCOMPARE(counter.take(), (QStringList{"plan", "prepared", "result"}));
-    QVERIFY(!session->prepared() && !session->result() && !session->chosenModel() && !session->modelId("linear"));
+    QVERIFY(!session->prepared() && !session->result() && !session->chosenModel() &&
+            !session->modelId("linear"));
     QVERIFY(session->undo());
     QCOMPARE(counter.take(), QStringList{"plan"});
     const auto path = session->path();
