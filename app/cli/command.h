@@ -44,6 +44,7 @@ void addPhysicsCommand(CLI::App &program, Invocation &invocation);
 void addRecordCommand(CLI::App &program, Invocation &invocation);
 void addReproduceCommand(CLI::App &program, Invocation &invocation);
 void addPlanCommand(CLI::App &program, Invocation &invocation);
+void addSessionCommand(CLI::App &program, Invocation &invocation);
 void addSimulateCommand(CLI::App &program, Invocation &invocation);
 
 std::span<const AddCommand> allCommands();
