@@ -15,6 +15,7 @@
 #include "widgets/style/number_text.h"
 #include "widgets/style/theme.h"
 #include "widgets/views/profile_view.h"
+#include "widgets/views/transient_view.h"
 
 #include <QEvent>
 #include <QGridLayout>
