@@ -16,6 +16,7 @@
 #include "app/session/training_job.h"
 #include "app/session/upload_job.h"
 #include "device/discovery/device_watch.h"
+#include "device/simulated_board.h"
 #include "device/source_choice.h"
 
 #include <QObject>
@@ -61,10 +62,12 @@ public:
     void changeSettings(const std::function<void(Settings &)> &change);
 
     // Source
+    // What is looked at; it becomes the session's source when it is used.
     const std::optional<SourceChoice> &sourceChoice() const { return m_choice; }
     void setSourceChoice(const SourceChoice &choice); // stops what was watched
-    bool isSourceSimulated() const;                   // the choice, not the runs
-    QString sourceName() const;                       // "Simulated bridge", "run1.csv"; empty: none chosen
+    Status useSource();
+    bool isSourceSimulated() const; // the choice, not the runs
+    QString sourceName() const;     // "Simulated bridge", "run1.csv"; empty: none chosen
     Acquisition &acquisition() { return m_acquisition; }
     // Opens the choice and lets it run; what runs is stopped first. False: no choice, or a run is recorded.
     bool startSource(SourceUse use);
@@ -106,7 +109,7 @@ signals:
     void savedChanged(); // saving failed, or works again
 
     void settingsChanged();
-    void sourceChanged(); // the choice
+    void sourceChanged(); // the choice, or the session's
     void devicesChanged();
     void problem(const driftbench::Error &error); // of a job or of saving, for the event log
 
@@ -117,7 +120,9 @@ private:
     void connectJobs();
     void startWatch();
     SourceChoice choiceFor(SourceUse use) const;
-    void openNow();
+    bool openNow();
+    void rememberSession();
+    Status startTraining(bool train);
 
     WorkbenchOptions m_options;
     Settings m_settings;
@@ -127,6 +132,7 @@ private:
     bool m_startPending = false; // as soon as the acquisition is idle
     std::weak_ptr<SimulatedBoard> m_board;
     DeviceList m_devices;
+    const Session *m_trainedFor = nullptr; // null: nothing that is to be taken
     Acquisition m_acquisition;
     LoadJob m_loading;
     TrainingJob m_training;
