@@ -84,7 +84,8 @@ void RecordPage::recordingFinished(const Status &outcome)
     const QString length = clockText(m_run->elapsedS());
     if (outcome.ok()) {
         const auto progress = m_run->progress();
-        const QString samples = numberText(static_cast<double>(m_run->link().samples), 0);
+        const RunRecord *record = m_run->run() ? workbench.session().run(*m_run->run()) : nullptr;
+        const QString samples = numberText(record ? static_cast<double>(record->samples) : 0.0, 0);
         const QString what = progress && progress->ended
                                  ? tr("Run %1 is complete.").arg(runNumber())
                                  : tr("Run %1 was stopped at %2.").arg(runNumber()).arg(length);
