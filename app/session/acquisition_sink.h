@@ -28,7 +28,7 @@ public:
     // By the owner.
     std::vector<Item> take();
     void setRecorder(std::shared_ptr<RunRecorder> recorder); // null: no longer
-    std::optional<double> recordedFromS() const; // of the recorder that was set last
+    std::optional<double> recordedFromS() const;             // of the recorder that was set last
     bool isRefused() const;                                  // the recorder said Stop
 
 private:
@@ -40,7 +40,8 @@ private:
     std::vector<SampleBlock> m_blocks; // behind the last item
     std::int64_t m_samples = 0;
 
-    mutable std::mutex m_recorderMutex; // held while it is called, so that none is called once it was taken away
+    mutable std::mutex
+        m_recorderMutex; // held while it is called, so that none is called once it was taken away
     std::shared_ptr<RunRecorder> m_recorder;
     std::optional<double> m_firstRecordedS;
     SampleBlock m_shifted;
