@@ -4,7 +4,7 @@
 #include "app/cli/model_input.h"
 #include "engine/base/atomic_file.h"
 #include "engine/base/axes.h"
-#include "engine/base/crc32.h"
+#include "engine/base/checksum.h"
 #include "engine/exports/export_model.h"
 
 #include <memory>

@@ -79,14 +79,17 @@ Result<FitInput> fromSession(const FitArguments &arguments, const std::filesyste
     if (!plan)
         return plan.error();
     if (Status edited = (*session)->editPlan(*std::move(plan), "options of fit"); !edited)
-        return edited;
+        return edited.error();
     auto prepared = prepareSession(**session, (*session)->plan(), hook);
     if (!prepared)
         return prepared.error();
     auto options = comparisonOptions(*prepared);
     if (!options)
         return options.error();
-    return FitInput{std::move(prepared->loaded), *std::move(options), {}, *std::move(session)};
+    LoadedCampaign loaded = prepared->loaded;
+    if (!(*session)->setPrepared(std::make_shared<const PreparedCampaign>(*std::move(prepared))))
+        return Error{Errc::InvalidOption, "The plan of the session is not the one that was prepared; fit again."};
+    return FitInput{std::move(loaded), *std::move(options), {}, *std::move(session)};
 }
 
 Result<FitInput> inputOf(const FitArguments &arguments, const ProgressHook &hook)

@@ -73,7 +73,8 @@ Json besideText(const SimulatedChoice &choice)
             {"spread", orNull(choice.spread)},
             {"clock_error_ppm", choice.clockErrorPpm},
             {"external_thermometer", choice.externalThermometer},
-            {"flash_file", choice.flashFile.string()}};
+            {"flash_file", choice.flashFile.string()},
+            {"drift", choice.drift}};
 }
 
 Json besideText(const NativeChoice &choice)
@@ -110,6 +111,7 @@ void readBeside(const Json &json, SimulatedChoice &choice)
     choice.clockErrorPpm = json.at("clock_error_ppm").get<double>();
     choice.externalThermometer = json.at("external_thermometer").get<bool>();
     choice.flashFile = json.at("flash_file").get<std::string>();
+    choice.drift = json.value("drift", std::string());
 }
 
 void readBeside(const Json &json, NativeChoice &choice)
@@ -182,31 +184,32 @@ Result<SourceChoice> sourceChoiceFromJson(const std::string &json)
     try {
         return choiceFrom(Json::parse(json));
     } catch (const Json::exception &problem) {
-        return Error{Errc::SessionDamaged, std::string("The source in the session is damaged (") + problem.what() +
-                                               "); choose it anew."};
+        return Error{Errc::SessionDamaged, std::string("The source in the session is damaged (") +
+                                               problem.what() + "); choose it anew."};
     }
 }
 
 Acquisition::OpenSource sourceOpener(SourceChoice choice, HidAccess access)
 {
-    return [choice = std::move(choice),
-            access = std::move(access)]() -> Result<std::unique_ptr<SampleSource>> {
-        auto opened = openSource(choice, access);
-        if (!opened)
-            return opened.error();
-        return std::unique_ptr<SampleSource>(std::make_unique<OwnedSource>(*std::move(opened)));
-    };
+    return
+        [choice = std::move(choice), access = std::move(access)]() -> Result<std::unique_ptr<SampleSource>> {
+            auto opened = openSource(choice, access);
+            if (!opened)
+                return opened.error();
+            return std::unique_ptr<SampleSource>(std::make_unique<OwnedSource>(*std::move(opened)));
+        };
 }
 
 OpenClient clientOpener(SourceChoice choice, HidAccess access)
 {
-    return [choice = std::move(choice), access = std::move(access)]() -> Result<std::shared_ptr<BridgeClient>> {
-        auto opened = openBridge(choice, access);
-        if (!opened)
-            return opened.error();
-        const auto kept = std::make_shared<OpenedBridge>(*std::move(opened));
-        return std::shared_ptr<BridgeClient>(kept, kept->client.get());
-    };
+    return
+        [choice = std::move(choice), access = std::move(access)]() -> Result<std::shared_ptr<BridgeClient>> {
+            auto opened = openBridge(choice, access);
+            if (!opened)
+                return opened.error();
+            const auto kept = std::make_shared<OpenedBridge>(*std::move(opened));
+            return std::shared_ptr<BridgeClient>(kept, kept->client.get());
+        };
 }
 
 } // namespace driftbench

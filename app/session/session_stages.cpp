@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace driftbench {
 
@@ -14,6 +15,20 @@ EventSeverity severityOf(const SessionEvent &event)
     };
     return isOne(kProblems) ? EventSeverity::Problem : isOne(kWarnings) ? EventSeverity::Warning : EventSeverity::Note;
 }
+
+namespace {
+
+bool sameData(const RunRecord &a, const RunRecord &b)
+{
+    return a.id == b.id && a.samples == b.samples && a.description.name == b.description.name;
+}
+
+bool sameState(const RunRecord &a, const RunRecord &b)
+{
+    return a.state == b.state && a.endedUtc == b.endedUtc;
+}
+
+} // namespace
 
 Status Session::mayChange() const
 {
@@ -103,51 +118,49 @@ Status Session::readRuns()
 
 Status Session::refreshRuns()
 {
+    const std::vector<RunRecord> before = m_runs;
     if (Status read = readRuns(); !read)
         return read;
+    const bool otherData = !std::equal(before.begin(), before.end(), m_runs.begin(), m_runs.end(), sameData);
+    const bool otherState = !std::equal(before.begin(), before.end(), m_runs.begin(), m_runs.end(), sameState);
+    if (!otherData && !otherState)
+        return {};
+    if (!otherData) {
+        emit runsChanged();
+        return {};
+    }
     // A run that grew is another recording.
     std::erase_if(m_recordings, [this](const auto &each) {
         const auto recording = each.second.lock();
         const RunRecord *now = run(each.first);
         return !recording || !now || recording->size() != now->samples;
     });
+    const CalibrationPlan planBefore = plan();
     m_history.fitToRuns(m_runs);
-    bool hadPrepared = false;
-    bool hadResult = false;
-    dropComputed(hadPrepared, hadResult);
-    Status saved = isReadOnly() ? Status() : save(Part::Plan);
+    return inputsChanged(true, !(plan() == planBefore));
+}
+
+Status Session::inputsChanged(bool runs, bool otherPlan)
+{
+    const bool hadPrepared = std::exchange(m_prepared, nullptr) != nullptr;
+    const bool hadResult = std::exchange(m_result, nullptr) != nullptr;
+    m_modelIds.clear();
+    Status saved;
+    if (otherPlan && !isReadOnly())
+        saved = save(Part::Plan);
     if (hadResult && !isReadOnly()) {
         if (Status cleared = save(Part::Result); !cleared)
             saved = cleared;
     }
-    emit runsChanged();
-    emit planChanged();
+    if (runs)
+        emit runsChanged();
+    if (otherPlan)
+        emit planChanged();
     if (hadPrepared)
         emit preparedChanged();
     if (hadResult)
         emit resultChanged();
     return saved;
-}
-
-void Session::dropComputed(bool &hadPrepared, bool &hadResult)
-{
-    hadPrepared = m_prepared != nullptr;
-    hadResult = m_result != nullptr;
-    m_prepared.reset();
-    m_result.reset();
-    m_modelIds.clear();
-}
-
-void Session::planHasChanged()
-{
-    bool hadPrepared = false;
-    bool hadResult = false;
-    dropComputed(hadPrepared, hadResult);
-    emit planChanged();
-    if (hadPrepared)
-        emit preparedChanged();
-    if (hadResult)
-        emit resultChanged();
 }
 
 Status Session::editPlan(CalibrationPlan plan, const QString &text)
@@ -156,21 +169,21 @@ Status Session::editPlan(CalibrationPlan plan, const QString &text)
         return may;
     if (!m_history.edit(fittedToRuns(std::move(plan), m_runs), text))
         return {};
-    return planEdited();
+    return inputsChanged(false, true);
 }
 
 Status Session::undo()
 {
     if (Status may = mayChange(); !may)
         return may;
-    return m_history.undo() ? planEdited() : Status();
+    return m_history.undo() ? inputsChanged(false, true) : Status();
 }
 
 Status Session::redo()
 {
     if (Status may = mayChange(); !may)
         return may;
-    return m_history.redo() ? planEdited() : Status();
+    return m_history.redo() ? inputsChanged(false, true) : Status();
 }
 
 bool Session::setPrepared(const std::shared_ptr<const PreparedCampaign> &prepared)
