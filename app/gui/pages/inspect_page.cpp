@@ -201,15 +201,25 @@ void InspectPage::connectPlots()
 void InspectPage::connectWork()
 {
     Workbench &workbench = *context().workbench;
-    for (const auto change : {&Workbench::runsChanged, &Workbench::planChanged, &Workbench::resultChanged,
-                              &Workbench::sessionReplaced})
-        connect(&workbench, change, this, &InspectPage::refresh);
-    connect(&workbench, &Workbench::preparedChanged, this, &InspectPage::refresh);
-    connect(&workbench, &Workbench::planChanged, this, &InspectPage::showButtons);
-    connect(&workbench.training(), &Job::runningChanged, this, [this](bool running) {
-        if (!running)
+    for (const auto change :
+         {&Workbench::runsChanged, &Workbench::planChanged, &Workbench::sessionReplaced}) {
+        connect(&workbench, change, this, [this] {
+            m_failed = false;
             refresh();
-    });
+        });
+    }
+    connect(&workbench, &Workbench::resultChanged, this, &InspectPage::refresh);
+    connect(&workbench, &Workbench::preparedChanged, this, &InspectPage::refresh);
+    connect(&workbench.training(), &TrainingJob::failed, this, &InspectPage::sayFailure);
+    connect(&workbench, &Workbench::planChanged, this, &InspectPage::showButtons);
+    // Queued: the outcome comes right after it.
+    connect(
+        &workbench.training(), &Job::runningChanged, this,
+        [this](bool running) {
+            if (!running)
+                refresh();
+        },
+        Qt::QueuedConnection);
     connect(&workbench.training(), &Job::progress, this,
             [this](const QString &stage, double fraction) { m_loading->setProgress(stage, fraction); });
     connect(m_loading, &LoadingState::cancelled, this, [this] {
@@ -227,7 +237,7 @@ void InspectPage::retranslate()
     m_choice->setCurrent(m_overTime ? 1 : 0);
     m_findings->setText(tr("Findings"));
     m_goToRecord->setText(stepName(Step::Record));
-    m_empty->setTexts(tr("No runs yet"), tr("Record a run, or open a log file."));
+    showEmptyTexts();
     std::vector<QAction *> actions{m_goToRecord};
     if (context().actions.openFiles)
         actions.push_back(context().actions.openFiles);

@@ -87,6 +87,7 @@ private:
     int m_axis = 0;
     bool m_overTime = false;
     bool m_lookPending = false;
+    bool m_failed = false; // the runs could not be read; not tried again by itself
     Selection m_selection;
     Selection m_dragged;                  // in the strip, until the button is let go
     std::vector<std::size_t> m_rangeRows; // of the strip's ranges: which of m_seen->excluded each is

@@ -1,6 +1,5 @@
 #include "app/gui/pages/record_page.h"
 
-#include "app/gui/event_log.h"
 #include "app/gui/record/live_run.h"
 #include "app/gui/record/record_readouts.h"
 #include "app/gui/workbench.h"

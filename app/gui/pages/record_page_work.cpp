@@ -1,5 +1,4 @@
 // The part of RecordPage that follows the recording: what is started and stopped, and what is said of it.
-#include "app/gui/event_log.h"
 #include "app/gui/pages/record_page.h"
 #include "app/gui/record/live_run.h"
 #include "app/gui/record/record_readouts.h"
@@ -63,7 +62,6 @@ void RecordPage::sourceEnded(const Error &error)
     m_starting = false;
     say(QStringLiteral("source"), BannerKind::Bad, tr("The source has ended."), sentenceOf(error),
         {m_goToSource});
-    context().events.add(EventKind::Bad, sentenceOf(error));
 }
 
 void RecordPage::stopRecording()
@@ -121,8 +119,6 @@ void RecordPage::recorderSays(const RecorderEvent &event)
             false);
         break;
     }
-    context().events.add(event.kind == RecorderEventKind::Recovered ? EventKind::Info : EventKind::Caution,
-                         sentence);
 }
 
 void RecordPage::saveUnwritten()
