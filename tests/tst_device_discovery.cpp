@@ -220,7 +220,8 @@ void TestDeviceDiscovery::scan_nativeBridge_givesItsIdentity()
     QVERIFY(list[1].usable());
     QCOMPARE(list[1].details->sensor.text(), std::string("L3GD20H SIM-0001"));
     QCOMPARE(list[1].details->firmware, std::string("1.0.0"));
-    QCOMPARE(list[1].details->protocol, std::string("1.0"));
+    QCOMPARE(list[1].details->protocol,
+             std::to_string(BRIDGE_PROTOCOL_MAJOR) + "." + std::to_string(BRIDGE_PROTOCOL_MINOR));
     QCOMPARE(list[1].identityText(), std::string("L3GD20H SIM-0001"));
     QCOMPARE(list[1].source, std::string("hid:USB-7"));
 }

@@ -25,7 +25,8 @@ struct ExportArguments
     bool json = false;
 };
 
-// In the session that the model is of; one that can't be written to does not keep the file from being exported.
+// In the session that the model is of; one that can't be written to does not keep the file from being
+// exported.
 Status noteExport(const ExportArguments &arguments, const ModelInput &input, const std::string &text)
 {
     if (!input.session)

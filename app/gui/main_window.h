@@ -4,6 +4,7 @@
 
 #include "app/gui/app_context.h"
 #include "app/gui/page.h"
+#include "engine/base/result.h"
 
 #include <QMainWindow>
 

@@ -120,8 +120,10 @@ static Result<ReportData> loadSessionReport(const std::filesystem::path &path)
         return session.error();
     const auto &result = (*session)->result();
     if (!result)
-        return Error{Errc::NoSuchRun, path.string() + " holds no models of its runs as they are now; train them with "
-                                                      "\"driftbench-cli fit " + path.string() + "\"."};
+        return Error{Errc::NoSuchRun, path.string() +
+                                          " holds no models of its runs as they are now; train them with "
+                                          "\"driftbench-cli fit " +
+                                          path.string() + "\"."};
     ReportData data = withFigures(result->figures);
     CalibrationPlan plan = (*session)->plan();
     plan.referenceTemperatureC = data.referenceTemperatureC;

@@ -25,7 +25,7 @@ struct RunInPlan
 
 struct CalibrationPlan
 {
-    std::vector<RunInPlan> runs; // one for each of the session's, in their order
+    std::vector<RunInPlan> runs;                 // one for each of the session's, in their order
     bool referenceFromHold = false;              // the mean of each run's initial hold instead of its rate
     std::optional<double> referenceTemperatureC; // nothing: chosen (run_features.h)
     // Checks that the user overrides; name and excluded are not used.

@@ -13,7 +13,9 @@ EventSeverity severityOf(const SessionEvent &event)
     const auto isOne = [&event](const auto &kinds) {
         return std::find(kinds.begin(), kinds.end(), event.kind) != kinds.end();
     };
-    return isOne(kProblems) ? EventSeverity::Problem : isOne(kWarnings) ? EventSeverity::Warning : EventSeverity::Note;
+    return isOne(kProblems)   ? EventSeverity::Problem
+           : isOne(kWarnings) ? EventSeverity::Warning
+                              : EventSeverity::Note;
 }
 
 namespace {
@@ -122,7 +124,8 @@ Status Session::refreshRuns()
     if (Status read = readRuns(); !read)
         return read;
     const bool otherData = !std::equal(before.begin(), before.end(), m_runs.begin(), m_runs.end(), sameData);
-    const bool otherState = !std::equal(before.begin(), before.end(), m_runs.begin(), m_runs.end(), sameState);
+    const bool otherState =
+        !std::equal(before.begin(), before.end(), m_runs.begin(), m_runs.end(), sameState);
     if (!otherData && !otherState)
         return {};
     if (!otherData) {

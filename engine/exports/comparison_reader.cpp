@@ -146,8 +146,7 @@ Result<ReadComparison> comparisonFromJson(std::string_view text, const std::stri
     try {
         return comparisonOf(json::parse(text));
     } catch (const json::exception &problem) {
-        return Error{Errc::ModelDamaged,
-                     name + " is damaged (" + problem.what() + "): run the fit again."};
+        return Error{Errc::ModelDamaged, name + " is damaged (" + problem.what() + "): run the fit again."};
     }
 }
 

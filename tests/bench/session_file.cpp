@@ -28,10 +28,10 @@ double nowS()
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-double processorS()
+double processorS(int whose = RUSAGE_SELF)
 {
     rusage usage{};
-    ::getrusage(RUSAGE_SELF, &usage);
+    ::getrusage(whose, &usage);
     const auto seconds = [](const timeval &t) {
         return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
     };
@@ -45,7 +45,7 @@ double peakMegabytes()
     return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-// The same second of noise over and over.
+// The same second of noise over and over. (+ 0.0: counts have no negative zero.)
 class Stream
 {
 public:
@@ -55,7 +55,7 @@ public:
         for (Eigen::Index i = 0; i < m_noise.size(); ++i) {
             m_noise.temperatureC[i] = std::round(2500.0 + random.normal()) / 100.0;
             for (int axis = 0; axis < 3; ++axis)
-                m_noise.rateDps(i, axis) = std::round(random.normal() * 16.0) * 875.0 / 100000.0;
+                m_noise.rateDps(i, axis) = (std::round(random.normal() * 16.0) + 0.0) * 875.0 / 100000.0;
         }
     }
     void fill(std::int64_t first, Eigen::Index count, double *timeS, double *temperatureC,
@@ -97,12 +97,14 @@ void record(const std::filesystem::path &path, const Stream &stream)
     double feedingS = 0.0;
     RunId run = 0;
     {
-        auto recorder = need(RunRecorder::start(file, describeSource(source, "run")));
+        RecorderOptions options;
+        options.commitEveryS /= kSpeed; // as many commits a second of the stream as in real time
+        auto recorder = need(RunRecorder::start(file, describeSource(source, "run"), options));
         run = recorder->run();
         for (std::int64_t at = 0; at < kRecorded; at += kBlock) {
-            const double feed = processorS();
+            const double feed = processorS(RUSAGE_THREAD);
             stream.fill(at, kBlock, block.timeS.data(), block.temperatureC.data(), block.rateDps, 0);
-            feedingS += processorS() - feed;
+            feedingS += processorS(RUSAGE_THREAD) - feed;
             recorder->samples(block, kBlock);
             const double aheadS = static_cast<double>(at) / kRateHz / kSpeed - (nowS() - started);
             if (aheadS > 0.002)
@@ -111,9 +113,11 @@ void record(const std::filesystem::path &path, const Stream &stream)
         if (const Status finished = recorder->finish(); !finished)
             fail(finished.error().message);
         const RecorderStats stats = recorder->stats();
-        std::printf("record: %lld samples taken, %lld written, longest commit %.3f s, most waiting %.1f MB\n",
-                    static_cast<long long>(stats.taken), static_cast<long long>(stats.written),
-                    stats.longestCommitS, static_cast<double>(stats.largestQueuedBytes) / 1e6);
+        std::printf(
+            "record: %lld samples taken, %lld written, %lld commits, longest %.3f s, most waiting %.1f MB\n",
+            static_cast<long long>(stats.taken), static_cast<long long>(stats.written),
+            static_cast<long long>(stats.commits), stats.longestCommitS,
+            static_cast<double>(stats.largestQueuedBytes) / 1e6);
     }
     const double usedS = processorS() - processorBefore - feedingS;
     std::printf("record: %.2f %% of a core, %.0f MB of memory at most\n",
