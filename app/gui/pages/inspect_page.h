@@ -61,6 +61,8 @@ private:
     void connectWork();
     void refresh(); // prepares and looks, as far as it is not done
     void look();    // at what is prepared
+    void sayFailure(const Error &error);
+    void showEmptyTexts();
     void take(const std::shared_ptr<const InspectionData> &seen);
     void showAll();
     void showScatter();
