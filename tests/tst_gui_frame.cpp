@@ -2,6 +2,9 @@
 #include "support/gui_window.h"
 
 #include "app/gui/shortcut_overview.h"
+#include "app/gui/start/guided_tour.h"
+#include "app/gui/start/simulated_tour.h"
+#include "app/gui/start/start_page.h"
 #include "app/gui/status_line.h"
 #include "app/gui/step_rail.h"
 #include "engine/physics/test_plan.h"
@@ -9,6 +12,7 @@
 #include <QAbstractButton>
 #include <QAbstractSpinBox>
 #include <QAction>
+#include <QSignalSpy>
 #include <QTest>
 
 #include <map>
@@ -30,6 +34,9 @@ private slots:
     void shortcuts_noKeyTwiceOnOnePage();
     void controls_ofEveryPage_haveNames();
     void window_small_scrolls();
+    void start_firstTime_offersTheTour();
+    void tour_steps_goOnWhenTheyAreDone();
+    void tour_firstSteps_doTheRealThing();
 };
 
 static TestPlan paperPlan()
@@ -162,6 +169,68 @@ void TestGuiFrame::window_small_scrolls()
     QCoreApplication::processEvents();
     QVERIFY(window.main().width() <= 800);
     QVERIFY(window.main().page(Step::Source)->width() >= 1096);
+}
+
+void TestGuiFrame::start_firstTime_offersTheTour()
+{
+    GuiWindow first;
+    first.main().restoreSession();
+    QVERIFY(first.main().isAtStart());
+    QVERIFY(!first.main().rail().currentIndex().isValid());
+    QTest::keyClick(&first.main(), Qt::Key_2, Qt::AltModifier);
+    QVERIFY(!first.main().isAtStart());
+    QCOMPARE(first.main().currentStep(), Step::Plan);
+
+    Settings settings;
+    settings.recentLogs << "/logs/run1.csv";
+    GuiWindow later(settings);
+    later.main().restoreSession();
+    QVERIFY(!later.main().isAtStart());
+}
+
+void TestGuiFrame::tour_steps_goOnWhenTheyAreDone()
+{
+    int performed = 0;
+    int carriedOn = 0;
+    TourStep work{Step::Record};
+    work.perform = [&] { ++performed; };
+    work.carryOn = [&] { ++carriedOn; };
+    work.isDone = [&] { return carriedOn >= 3; };
+    TourStep look{Step::Compare};
+    GuidedTour tour({work, look});
+    QSignalSpy pages(&tour, &GuidedTour::pageWanted);
+    QSignalSpy finished(&tour, &GuidedTour::finished);
+    tour.start();
+    QCOMPARE(tour.at(), 0);
+    tour.next();
+    QVERIFY(tour.isWorking());
+    tour.next(); // while it works: nothing
+    QCOMPARE(performed, 1);
+    QTRY_COMPARE(tour.at(), 1);
+    QCOMPARE(carriedOn, 3);
+    tour.next(); // nothing to do there but to look
+    QCOMPARE(finished.count(), 1);
+    QVERIFY(!tour.isActive());
+    QCOMPARE(pages.count(), 2);
+}
+
+void TestGuiFrame::tour_firstSteps_doTheRealThing()
+{
+    GuiWindow window;
+    window.main().showStart();
+    window.main().startPage().tour().click();
+    QVERIFY(window.main().tour().isActive());
+    QCOMPARE(window.main().currentStep(), Step::Source);
+    window.main().tour().next();
+    QTRY_COMPARE(window.main().tour().at(), 1);
+    QVERIFY(window.bench->session().source()->as<SimulatedChoice>());
+    QVERIFY(window.bench->session().source()->as<SimulatedChoice>()->speed > 100.0);
+    window.main().tour().next();
+    QTRY_COMPARE(window.main().tour().at(), 2);
+    QCOMPARE(window.bench->session().testPlan()->runs, kTourRuns);
+    QCOMPARE(window.main().currentStep(), Step::Record);
+    window.main().tour().stop();
+    QVERIFY(!window.main().tour().isActive());
 }
 
 QTEST_MAIN(TestGuiFrame)
