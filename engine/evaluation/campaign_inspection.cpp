@@ -1,7 +1,6 @@
 #include "engine/evaluation/campaign_inspection.h"
 
 #include "engine/base/axes.h"
-#include "engine/evaluation/noise_floor.h"
 #include "engine/evaluation/sweeps.h"
 
 #include <algorithm>
@@ -12,6 +11,7 @@ namespace driftbench {
 
 static constexpr double kCellC = 1.0;
 static constexpr int kCellsOfCurve = 50; // of 0.02 degrees
+static constexpr int kCellsOfNoise = 25; // 0.5 degrees, as the noise floor
 static constexpr double kSmoothC = 2.5;
 static constexpr double kLittleMore = 1.2;
 static constexpr double kShareOfSwing = 0.05;
@@ -86,17 +86,20 @@ static Eigen::Vector3d swingOf(const TrainingSet &set)
     return highest - lowest;
 }
 
+// Sweep by sweep: in a run that is heated and cooled, hysteresis would count as noise.
 static Eigen::Vector3d noiseOf(const TrainingSet &set)
 {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     double samples = 0.0;
     for (const auto &run : set.runs) {
-        const Eigen::Vector3d floor = noiseFloor(*run);
-        if (!floor.allFinite())
-            continue;
-        const auto count = static_cast<double>(run->timeS.size());
-        sum += count * floor;
-        samples += count;
+        for (const Sweep &sweep : sweepsOf(*run)) {
+            const ThermalCurve cells = curveOf(*run, sweep).coarsened(kCellsOfNoise);
+            const Eigen::Vector3d variance = cells.pooledVariance();
+            if (!variance.allFinite())
+                continue;
+            sum += cells.totalCount() * variance;
+            samples += cells.totalCount();
+        }
     }
     return (sum / samples).cwiseSqrt();
 }

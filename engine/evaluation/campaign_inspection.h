@@ -2,7 +2,7 @@
 // temperature at all, and where the temperature has been.
 //
 //   swing    highest less lowest mean TDE over cells of 1 degree, sweep by sweep (dps)
-//   noise    root of the noise floor (noise_floor.h), mean over the runs by their samples (dps)
+//   noise    root of the variance within cells of 0.5 degrees, sweep by sweep (dps)
 //   left     rms of what a curve leaves of all samples (dps)
 //   spread   highest less lowest passage where most sweeps meet (hysteresis.h); NaN where none do (dps)
 //

@@ -120,7 +120,7 @@ void RecordPage::connectWork()
     connect(m_run, &LiveRun::scored, m_readouts, &RecordReadouts::addTrendPoint);
     connect(m_run, &LiveRun::deviceAway, this, &RecordPage::showAbsence);
     connect(m_run, &LiveRun::deviceBack, this, [this] { banners().withdraw(QStringLiteral("absence")); });
-    connect(m_run, &LiveRun::planEnded, this, &RecordPage::stopRecording);
+    connect(m_run, &LiveRun::planEnded, this, &RecordPage::endRun);
     connect(&acquisition, &Acquisition::started, this, &RecordPage::sourceStarted);
     connect(&acquisition, &Acquisition::finished, this, [this](const Result<SourceStats> &outcome) {
         if (!outcome.ok())

@@ -52,6 +52,7 @@ private:
     QWidget *makeTraces();
     void addActions();
     void connectWork();
+    void endRun();
     void sourceStarted();
     void sourceEnded(const Error &error);
     void recordingFinished(const Status &outcome);
@@ -87,7 +88,8 @@ private:
     QAction *m_writeAgain;
     QAction *m_saveRest;
     QTimer m_figures;
-    bool m_starting = false; // the source is being opened for a run
+    bool m_starting = false;  // the source is being opened for a run
+    bool m_brokenOff = false; // the run ends before its plan: by the user, or by an error
     std::optional<int> m_percent;
 };
 

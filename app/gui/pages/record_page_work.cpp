@@ -34,6 +34,7 @@ void RecordPage::startRecording()
             tr("Choose the bridge or the file to record from."), {m_goToSource});
         return;
     }
+    m_brokenOff = false;
     m_starting = workbench.startSource(SourceUse::Record);
     showState();
 }
@@ -60,11 +61,18 @@ void RecordPage::sourceEnded(const Error &error)
     if (!m_starting && !m_run->isRecording() && !isVisible())
         return; // watched by another page, which says it
     m_starting = false;
+    m_brokenOff = true;
     say(QStringLiteral("source"), BannerKind::Bad, tr("The source has ended."), sentenceOf(error),
         {m_goToSource});
 }
 
 void RecordPage::stopRecording()
+{
+    m_brokenOff = true;
+    endRun();
+}
+
+void RecordPage::endRun()
 {
     Workbench &workbench = *context().workbench;
     if (m_run->isRecording())
@@ -82,12 +90,10 @@ void RecordPage::recordingFinished(const Status &outcome)
     workbench.stopSource();
     const QString length = clockText(m_run->elapsedS());
     if (outcome.ok()) {
-        const auto progress = m_run->progress();
         const RunRecord *record = m_run->run() ? workbench.session().run(*m_run->run()) : nullptr;
         const QString samples = numberText(record ? static_cast<double>(record->samples) : 0.0, 0);
-        const QString what = progress && progress->ended
-                                 ? tr("Run %1 is complete.").arg(runNumber())
-                                 : tr("Run %1 was stopped at %2.").arg(runNumber()).arg(length);
+        const QString what = !m_brokenOff ? tr("Run %1 is complete.").arg(runNumber())
+                                          : tr("Run %1 was stopped at %2.").arg(runNumber()).arg(length);
         say(QStringLiteral("ended"), BannerKind::Info, what,
             tr("%1 samples are in the session.").arg(samples), {m_goToInspect});
     } else {

@@ -18,6 +18,7 @@ LiveRun::LiveRun(Workbench &workbench, LiveTraceView &view, QObject *parent)
     connectAcquisition();
     connect(&workbench, &Workbench::sessionReplaced, this, [this] {
         m_view.clear();
+        m_latestModel.reset();
         m_run.reset();
         m_samples = 0;
         followSession();
@@ -43,17 +44,13 @@ void LiveRun::connectAcquisition()
 
 std::shared_ptr<const TrainedModel> LiveRun::modelOfSession() const
 {
-    const auto &info = m_workbench.acquisition().info();
-    if (info && info->compensated)
-        return nullptr; // once is enough
     const auto &result = m_workbench.session().result();
     if (!result)
         return nullptr;
     const TrainedModel *chosen = m_workbench.session().chosenModel();
     if (!chosen)
         chosen = result->model("auto");
-    // It lives as long as the result that it belongs to.
-    return chosen ? std::shared_ptr<const TrainedModel>(result, chosen) : nullptr;
+    return chosen ? std::make_shared<const TrainedModel>(*chosen) : nullptr;
 }
 
 // What the rate table does: the simulation knows, of a real one the last run's is the best guess.
@@ -75,7 +72,10 @@ void LiveRun::followSession()
     m_view.setPlan(m_plan.profile());
     if (m_recording)
         return; // what a run was begun with stays
-    m_model = modelOfSession();
+    if (auto model = modelOfSession())
+        m_latestModel = std::move(model);
+    const auto &info = m_workbench.acquisition().info();
+    m_model = info && info->compensated ? nullptr : m_latestModel; // once is enough
     m_referenceDps = referenceOfSource();
     if (m_samples == 0) {
         m_view.setCompensated(m_model != nullptr);
@@ -89,9 +89,9 @@ void LiveRun::begin(RunId run)
     m_samples = 0;
     m_elapsedS = 0.0;
     m_firstS.reset();
-    m_scores = {};
-    m_holds = {};
-    m_link = {};
+    m_scores = RunningScores();
+    m_holds = HoldDetector();
+    m_link = LinkFigures();
     m_planEnded = false;
     m_unpluggedAtS.reset();
     followSession();

@@ -83,6 +83,8 @@ private:
     bool m_recording = false;
     std::optional<RunId> m_run;
     std::shared_ptr<const TrainedModel> m_model;
+    // The session's latest: a run that is begun is a change of the session's runs, and drops its result.
+    std::shared_ptr<const TrainedModel> m_latestModel;
     Eigen::Vector3d m_referenceDps = Eigen::Vector3d::Zero();
     PlanProgress m_plan;
     std::optional<double> m_firstS; // in the source's time
