@@ -85,6 +85,7 @@ public:
     const TracePyramid &traces() const { return *m_traces; }
     PlotInteraction &interaction() const { return *m_interaction; }
     PlotCursors &cursors() const { return *m_interaction->cursors(); }
+    const LiveMarks &marks() const { return *m_marks; }
     std::optional<CursorReading> reading(Cursor cursor) const;
     std::vector<LegendEntry> legend() const;
     PlotTable table() const;
