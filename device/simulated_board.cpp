@@ -30,6 +30,9 @@ Status check(const SimulatedBoardOptions &options)
     if (options.ringReports < 1 || options.bankBytes % BRIDGE_FLASH_UNIT != 0 || options.bankBytes < 1024)
         return invalid("The simulated bridge needs a ring of 1 report or more and banks of 1024 bytes or "
                        "more, a multiple of 8.");
+    if (options.firstRun < 0)
+        return invalid("The runs of the simulated bridge count from 0; " + std::to_string(options.firstRun) +
+                       " was given.");
     const SensorIdentity &sensor = options.simulation.sensor;
     if (sensor.model.size() > BRIDGE_MODEL_SIZE || sensor.serial.size() > BRIDGE_SERIAL_SIZE)
         return invalid("The simulated bridge can name a model of 12 letters and a serial number of 16; \"" +

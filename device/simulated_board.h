@@ -44,6 +44,7 @@ struct SimulatedBoardOptions
     std::uint32_t ringReports = 64; // between the firmware and USB
     std::uint32_t bankBytes = 65536;
     std::filesystem::path flashFile{}; // empty: the tables go with the board
+    int firstRun = 0;                  // of the campaign; each stream after the first is one more
 };
 
 class SimulatedBoard

@@ -25,8 +25,8 @@ std::int32_t milliC(double temperatureC)
 
 } // namespace
 
-SimulatedGyro::SimulatedGyro(SimulationOptions options, bool externalThermometer)
-    : m_options(std::move(options)), m_externalThermometer(externalThermometer)
+SimulatedGyro::SimulatedGyro(SimulationOptions options, bool externalThermometer, int firstRun)
+    : m_options(std::move(options)), m_externalThermometer(externalThermometer), m_run(firstRun)
 {
 }
 

@@ -14,7 +14,7 @@ namespace driftbench {
 class SimulatedGyro
 {
 public:
-    explicit SimulatedGyro(SimulationOptions options, bool externalThermometer);
+    SimulatedGyro(SimulationOptions options, bool externalThermometer, int firstRun);
 
     // From nowS on: another run, or the one that interrupt() cut, if rate and range are the same.
     // InvalidOption if the simulation can't be sampled so fast.
@@ -39,7 +39,7 @@ private:
 
     SimulationOptions m_options;
     bool m_externalThermometer;
-    int m_run = 0;
+    int m_run; // the next one
     std::uint32_t m_rateMilliHz = 0;
     BridgeRange m_range;
     bool m_interrupted = false;

@@ -1,83 +1,37 @@
 #include "app/cli/device_choice.h"
 
-#include "device/hidapi_transport.h"
-#include "device/simulated_bridge.h"
-#include "engine/physics/sensor_presets.h"
-
-#include <vector>
-
 namespace driftbench::cli {
 
-namespace {
-
-Result<ConnectedDevice> connectSimulated(const DeviceChoice &choice)
+void addUsbIdOption(CLI::App &command, std::vector<std::string> &usbIds)
 {
-    auto simulation = presetSimulation(choice.sensor, Eigen::Vector3d::Zero());
-    if (!simulation)
-        return simulation.error();
-    SimulatedBoardOptions options{*std::move(simulation)};
-    options.speed = 0.0; // as fast as it is asked
-    options.flashFile = choice.flash;
-    auto board = SimulatedBoard::create(std::move(options));
-    if (!board)
-        return board.error();
-    auto transport = SimulatedBridge::open(*board);
-    if (!transport)
-        return transport.error();
-    auto client = BridgeClient::open(*std::move(transport), (*board)->clock());
-    if (!client)
-        return client.error();
-    return ConnectedDevice{*std::move(board), nullptr, std::make_unique<BridgeClient>(*std::move(client))};
+    command
+        .add_option("--usb-id", usbIds,
+                    "hid: USB ids of the native bridge, in hex (default 1209:0001, which is kept for tests)")
+        ->type_name("VID:PID")
+        ->take_all()
+        ->allow_extra_args(false);
 }
 
-// The native bridges that are plugged in, those with this serial number only, if there is one.
-std::vector<HidIdentity> pluggedBridges(const std::string &serial)
+Result<std::vector<UsbId>> usbIdsOf(const std::vector<std::string> &texts)
 {
-    std::vector<HidIdentity> found;
-    for (const HidIdentity &each : listHidDevices()) {
-        if (each.vendorId == BRIDGE_VENDOR_ID && each.productId == BRIDGE_PRODUCT_ID &&
-            (serial.empty() || each.serial == serial))
-            found.push_back(each);
+    std::vector<UsbId> ids;
+    for (const std::string &text : texts) {
+        const auto id = parseUsbId(text);
+        if (!id)
+            return id.error();
+        ids.push_back(*id);
     }
-    return found;
+    return ids;
 }
-
-Result<ConnectedDevice> connectHid(const std::string &serial)
-{
-    const auto found = pluggedBridges(serial);
-    if (found.empty())
-        return Error{Errc::DeviceNotFound,
-                     serial.empty()
-                         ? "No native gyro bridge is plugged in; plug one in, or say --device simulated."
-                         : "No native gyro bridge with the serial number " + serial +
-                               " is plugged in; check the number and the cable."};
-    if (found.size() > 1) {
-        std::string serials;
-        for (const HidIdentity &each : found)
-            serials += (serials.empty() ? "" : ", ") + each.serial;
-        return Error{Errc::InvalidOption, "More than one native gyro bridge is plugged in (" + serials +
-                                              "); say which, like --device hid:" + found.front().serial +
-                                              "."};
-    }
-    auto transport = openHidDevice(found.front());
-    if (!transport)
-        return transport.error();
-    auto clock = std::make_unique<SteadyClock>();
-    auto client = BridgeClient::open(*std::move(transport), *clock);
-    if (!client)
-        return client.error();
-    return ConnectedDevice{nullptr, std::move(clock), std::make_unique<BridgeClient>(*std::move(client))};
-}
-
-} // namespace
 
 void addDeviceOptions(CLI::App &command, DeviceChoice &choice)
 {
     command
-        .add_option(
-            "--device", choice.device,
-            "simulated (default), inside this program; hid: the native bridge that is plugged in; hid:SERIAL")
+        .add_option("--device", choice.device,
+                    "simulated (default), inside this program; hid: the native bridge that is plugged in; "
+                    "hid:SERIAL")
         ->type_name("NAME");
+    addUsbIdOption(command, choice.usbIds);
     command
         .add_option("--flash", choice.flash,
                     "simulated: file that keeps the device's tables from one command to the next")
@@ -86,14 +40,23 @@ void addDeviceOptions(CLI::App &command, DeviceChoice &choice)
         ->type_name("NAME");
 }
 
-Result<ConnectedDevice> connectDevice(const DeviceChoice &choice)
+Result<OpenedBridge> connectDevice(const DeviceChoice &choice)
 {
-    if (choice.device == "simulated")
-        return connectSimulated(choice);
-    if (choice.device == "hid" || choice.device.starts_with("hid:"))
-        return connectHid(choice.device == "hid" ? "" : choice.device.substr(4));
-    return Error{Errc::InvalidOption,
-                 "\"" + choice.device + "\" is no device; say simulated, hid, or hid: and a serial number."};
+    auto source = parseSourceChoice(choice.device);
+    if (!source)
+        return source.error();
+    auto ids = usbIdsOf(choice.usbIds);
+    if (!ids)
+        return ids.error();
+    if (auto *native = source->as<NativeChoice>())
+        native->ids = *std::move(ids);
+    if (auto *simulated = source->as<SimulatedChoice>()) {
+        simulated->speed = 0.0; // as fast as it is asked
+        simulated->flashFile = choice.flash;
+        if (choice.sensor)
+            simulated->sensor = *choice.sensor;
+    }
+    return openBridge(*source);
 }
 
 } // namespace driftbench::cli

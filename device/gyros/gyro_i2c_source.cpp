@@ -38,6 +38,28 @@ Result<StGyro> openGyro(I2cBus &bus, const GyroI2cOptions &options)
     return gyro;
 }
 
+// The one beside the gyro; nothing: the die's serves.
+Result<std::optional<I2cThermometer>> openThermometer(I2cBus &bus, const TemperatureOptions &options)
+{
+    if (!options.useExternal)
+        return std::optional<I2cThermometer>();
+    if (options.externalModel && options.externalAddress != 0) {
+        const Result<I2cThermometer> there =
+            I2cThermometer::open(bus, *options.externalModel, options.externalAddress);
+        if (there)
+            return std::optional<I2cThermometer>(*there);
+        return there.error();
+    }
+    const auto found = I2cThermometer::find(bus, options.externalModel);
+    if (!found || *found || !options.requireExternal)
+        return found;
+    const std::string wanted = options.externalModel
+                                   ? "No " + std::string(thermometerName(*options.externalModel))
+                                   : std::string("No external thermometer");
+    return Error{Errc::BusNoAcknowledge, wanted + " answers on " + bus.name() +
+                                             "; check its power and its wiring, or choose the die's."};
+}
+
 constexpr std::array kAxes{'x', 'y', 'z'};
 
 } // namespace
@@ -66,14 +88,11 @@ Result<std::unique_ptr<GyroI2cSource>> GyroI2cSource::open(std::unique_ptr<I2cBu
         return gyro.error();
     if (const Status ok = gyro->setUp(options.gyro); !ok)
         return ok.error();
-    std::optional<I2cThermometer> external;
-    if (options.temperature.useExternal) {
-        const Result<std::optional<I2cThermometer>> found = I2cThermometer::find(*bus);
-        if (!found)
-            return found.error();
-        external = *found;
-    }
-    return std::unique_ptr<GyroI2cSource>(new GyroI2cSource(std::move(bus), *gyro, external, options, clock));
+    const auto external = openThermometer(*bus, options.temperature);
+    if (!external)
+        return external.error();
+    return std::unique_ptr<GyroI2cSource>(
+        new GyroI2cSource(std::move(bus), *gyro, *external, options, clock));
 }
 
 Result<SourceStats> GyroI2cSource::run(SampleSink &sink, std::stop_token stop)

@@ -24,6 +24,10 @@ struct TemperatureOptions
     double dieCPerCount = -1.0;
     double dieOffsetC = 0.0;
     bool useExternal = true; // if one answers
+    // One that must answer: BusNoAcknowledge or WrongSensor if it does not.
+    bool requireExternal = false;
+    std::optional<ThermometerModel> externalModel{}; // nothing: any
+    std::uint8_t externalAddress = 0;                // of that model; 0: those that it can have
 };
 
 class TemperatureReader

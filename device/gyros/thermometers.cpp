@@ -69,9 +69,12 @@ Result<I2cThermometer> I2cThermometer::open(I2cBus &bus, ThermometerModel model,
     return I2cThermometer(bus, model, address);
 }
 
-Result<std::optional<I2cThermometer>> I2cThermometer::find(I2cBus &bus)
+Result<std::optional<I2cThermometer>> I2cThermometer::find(I2cBus &bus,
+                                                           std::optional<ThermometerModel> wanted)
 {
     for (const ThermometerModel model : {ThermometerModel::Tmp117, ThermometerModel::Mcp9808}) {
+        if (wanted && *wanted != model)
+            continue;
         for (const std::uint8_t address : addressesOf(model)) {
             const Result<I2cThermometer> found = open(bus, model, address);
             if (found)

@@ -52,8 +52,9 @@ class I2cThermometer
 public:
     // At that address. The bus must outlive the thermometer.
     static Result<I2cThermometer> open(I2cBus &bus, ThermometerModel model, std::uint8_t address);
-    // The first that answers; nothing if none does.
-    static Result<std::optional<I2cThermometer>> find(I2cBus &bus);
+    // The first that answers, of that model or of any; nothing if none does.
+    static Result<std::optional<I2cThermometer>> find(I2cBus &bus,
+                                                      std::optional<ThermometerModel> model = {});
 
     ThermometerModel model() const { return m_model; }
     std::uint8_t address() const { return m_address; }

@@ -1,0 +1,37 @@
+// Says beside a title where its data come from: simulated, or a real log.
+#pragma once
+
+#include <QWidget>
+
+namespace driftbench {
+
+enum class Origin
+{
+    None, // no data: the chip is not shown
+    Simulated,
+    Real
+};
+
+class OriginChip : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit OriginChip(QWidget *parent = nullptr);
+
+    void setOrigin(Origin origin);
+    Origin origin() const { return m_origin; }
+    static QString words(Origin origin); // "Simulated data", "Real log"
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override { return sizeHint(); }
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+    void changeEvent(QEvent *event) override;
+
+private:
+    Origin m_origin = Origin::None;
+};
+
+} // namespace driftbench
