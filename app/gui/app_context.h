@@ -11,6 +11,7 @@ namespace driftbench {
 
 class EventLog;
 class Theme;
+class Workbench;
 
 // Actions of the frame that pages show as buttons too. Their keys work on every page.
 struct SharedActions
@@ -38,6 +39,7 @@ struct AppContext
     Theme &theme;
     EventLog &events;
     Navigator &navigator;
+    Workbench *workbench = nullptr; // the session and the work on it; there as soon as pages are made
     SharedActions actions{};
 };
 
