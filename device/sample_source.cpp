@@ -13,6 +13,8 @@ std::string_view gapCauseText(GapCause cause)
         return "overrun in the device";
     case GapCause::Unplugged:
         return "unplugged";
+    case GapCause::Interrupted:
+        return "recording interrupted";
     }
     assert(false);
     return {};

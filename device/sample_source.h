@@ -23,6 +23,7 @@ enum class GapCause
     ReportsLost,   // between the device and here
     DeviceOverrun, // inside the device
     Unplugged,     // the device was away and came back
+    Interrupted,   // the program that recorded ended, and another went on
 };
 
 std::string_view gapCauseText(GapCause cause);

@@ -71,12 +71,18 @@ Result<LoadedCampaign> loadCampaign(const CampaignRequest &request, const Progre
             return run->error();
         runs.push_back(**std::move(run));
     }
-    auto campaign = makeCampaign(std::move(runs), request.campaign);
+    return gatherCampaign(std::move(runs), request.campaign, request.referenceTemperatureC);
+}
+
+Result<LoadedCampaign> gatherCampaign(std::vector<Run> runs, const CampaignOptions &options,
+                                      std::optional<double> referenceTemperatureC)
+{
+    auto campaign = makeCampaign(std::move(runs), options);
     if (!campaign)
         return campaign.error();
     LoadedCampaign result;
     result.campaign = *std::move(campaign);
-    const double reference = chooseReferenceTemperature(result.campaign, request.referenceTemperatureC);
+    const double reference = chooseReferenceTemperature(result.campaign, referenceTemperatureC);
     result.features = makeTrainingSet(result.campaign, reference);
     result.simulated = std::any_of(result.campaign.runs.begin(), result.campaign.runs.end(),
                                    [](const Run &run) { return run.recording->info.simulated; });

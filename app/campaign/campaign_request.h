@@ -37,6 +37,10 @@ struct LoadedCampaign
 // Reads and checks the runs and makes their features. The error of a run names its file.
 Result<LoadedCampaign> loadCampaign(const CampaignRequest &request, const ProgressHook &hook = {});
 
+// Prepared runs made one campaign with its features. The reference temperature is chosen unless it is given.
+Result<LoadedCampaign> gatherCampaign(std::vector<Run> runs, const CampaignOptions &options,
+                                      std::optional<double> referenceTemperatureC);
+
 // Who measured, by what the log says and the user stated; DifferentSensors if these contradict each other.
 Result<SensorIdentity> statedSensor(const std::filesystem::path &file, const SensorIdentity &measured,
                                     const SensorIdentity &stated);

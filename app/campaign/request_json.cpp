@@ -1,8 +1,10 @@
 #include "app/campaign/campaign_request.h"
+#include "app/campaign/read_options_json.h"
 
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <stdexcept>
 
 namespace driftbench {
 
@@ -14,24 +16,6 @@ template <class T>
 Json orNull(const std::optional<T> &value)
 {
     return value ? Json(*value) : Json();
-}
-
-template <class Unit>
-Json unitOrNull(const std::optional<Unit> &unit)
-{
-    return unit ? Json(std::string(unitName(*unit))) : Json();
-}
-
-Json readToJson(const ReadOptions &read)
-{
-    const CsvOptions &csv = read.csv;
-    return {{"instance", orNull(read.instance)},
-            {"columns", csv.columns},
-            {"separator", csv.separator ? Json(std::string(1, *csv.separator)) : Json()},
-            {"time_unit", unitOrNull(csv.timeUnit)},
-            {"rate_unit", unitOrNull(csv.rateUnit)},
-            {"temperature_unit", unitOrNull(csv.temperatureUnit)},
-            {"sensitivity_mdps_per_count", orNull(csv.sensitivityMdpsPerCount)}};
 }
 
 Json qualityToJson(const QualityOptions &quality)
@@ -52,23 +36,6 @@ std::optional<T> optionalAt(const Json &json, const char *key)
     return value.is_null() ? std::nullopt : std::optional<T>(value.get<T>());
 }
 
-ReadOptions readFromJson(const Json &json)
-{
-    ReadOptions read;
-    read.instance = optionalAt<int>(json, "instance");
-    read.csv.columns = json.at("columns").get<std::array<std::string, kCsvQuantityCount>>();
-    if (const auto separator = optionalAt<std::string>(json, "separator"))
-        read.csv.separator = separator->at(0);
-    if (const auto unit = optionalAt<std::string>(json, "time_unit"))
-        read.csv.timeUnit = timeUnitNamed(*unit);
-    if (const auto unit = optionalAt<std::string>(json, "rate_unit"))
-        read.csv.rateUnit = rateUnitNamed(*unit);
-    if (const auto unit = optionalAt<std::string>(json, "temperature_unit"))
-        read.csv.temperatureUnit = temperatureUnitNamed(*unit);
-    read.csv.sensitivityMdpsPerCount = optionalAt<double>(json, "sensitivity_mdps_per_count");
-    return read;
-}
-
 QualityOptions qualityFromJson(const Json &json)
 {
     QualityOptions quality;
@@ -85,7 +52,10 @@ CampaignRequest requestFromJson(const Json &json)
     CampaignRequest request;
     for (const Json &file : json.at("files"))
         request.files.emplace_back(file.get<std::string>());
-    request.read = readFromJson(json.at("read"));
+    const auto read = readOptionsFromJson(json.at("read"));
+    if (!read)
+        throw std::runtime_error("read");
+    request.read = *read;
     request.quality = qualityFromJson(json.at("quality"));
     if (json.at("reference_rate_dps").is_string()) {
         request.campaign.referenceRate = ReferenceRateKind::InitialHold;
@@ -110,7 +80,7 @@ std::string requestToJson(const CampaignRequest &request)
     const bool hold = request.campaign.referenceRate == ReferenceRateKind::InitialHold;
     const Json json{
         {"files", files},
-        {"read", readToJson(request.read)},
+        {"read", readOptionsToJson(request.read)},
         {"quality", qualityToJson(request.quality)},
         {"reference_rate_dps", hold ? Json("initial hold") : Json({rate[0], rate[1], rate[2]})},
         {"reference_temperature_C", orNull(request.referenceTemperatureC)},

@@ -42,6 +42,7 @@ void addInspectCommand(CLI::App &program, Invocation &invocation);
 void addPhysicsCommand(CLI::App &program, Invocation &invocation);
 void addReproduceCommand(CLI::App &program, Invocation &invocation);
 void addPlanCommand(CLI::App &program, Invocation &invocation);
+void addSessionCommand(CLI::App &program, Invocation &invocation);
 void addSimulateCommand(CLI::App &program, Invocation &invocation);
 
 std::span<const AddCommand> allCommands();

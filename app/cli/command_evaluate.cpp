@@ -1,13 +1,14 @@
 #include "app/cli/cli_io.h"
 #include "app/cli/command.h"
 #include "app/cli/log_options.h"
+#include "app/cli/model_input.h"
 #include "app/cli/model_range.h"
 #include "app/cli/progress_line.h"
+#include "app/cli/session_fit.h"
 #include "engine/base/axes.h"
 #include "engine/base/text.h"
 #include "engine/evaluation/scoring.h"
 #include "engine/exports/comparison_files.h"
-#include "engine/models/model_file.h"
 
 #include <algorithm>
 #include <iomanip>
@@ -21,8 +22,9 @@ namespace {
 
 struct EvaluateArguments
 {
-    std::string model;
+    ModelChoice model;
     CampaignRequest request;
+    PlanOverrides overrides; // of a session's plan
     Judging judging = Judging::Absolute;
     bool force = false;
     bool json = false;
@@ -60,26 +62,59 @@ Status checkRange(const EvaluateArguments &arguments, const TrainedModel &model,
     if (all.wholly() && !arguments.force)
         return all.refusal(arguments.request.files.size() == 1 ? arguments.request.files[0].string()
                                                                : std::string("Each of the runs"),
-                           arguments.model);
+                           arguments.model.file);
     printWarnings("", notices);
     return {};
 }
 
+// session: the one that the runs are of, if it is not that of the model.
+Result<LoadedCampaign> runsOf(const EvaluateArguments &arguments, ModelInput &input,
+                              std::unique_ptr<Session> &session, const ProgressHook &hook)
+{
+    // Features must lie on the model's own dT.
+    const double referenceTemperatureC = input.model.referenceTemperatureC;
+    const auto path = sessionAmong(arguments.request.files);
+    if (!path)
+        return path.error();
+    if (!*path) {
+        CampaignRequest request = arguments.request;
+        request.referenceTemperatureC = referenceTemperatureC;
+        return loadCampaign(request, hook);
+    }
+    std::error_code code;
+    if (input.session && std::filesystem::equivalent(input.session->path(), **path, code)) {
+        session = std::move(input.session);
+    } else {
+        auto opened = Session::open(**path);
+        if (!opened)
+            return opened.error();
+        session = *std::move(opened);
+    }
+    PlanOverrides overrides = arguments.overrides;
+    overrides.referenceTemperatureC = referenceTemperatureC;
+    const auto plan = overridden(*session, overrides);
+    if (!plan)
+        return plan.error();
+    auto prepared = prepareSession(*session, *plan, hook);
+    if (!prepared)
+        return prepared.error();
+    return std::move(prepared->loaded);
+}
+
 Status evaluate(const EvaluateArguments &arguments)
 {
-    const auto model = loadModel(arguments.model);
-    if (!model)
-        return model.error();
+    auto input = openModel(arguments.model);
+    if (!input)
+        return input.error();
+    const TrainedModel *model = &input->model;
     ProgressLine progress;
-    CampaignRequest request = arguments.request;
-    // Features must lie on the model's own dT.
-    request.referenceTemperatureC = model->referenceTemperatureC;
-    const auto loaded = loadCampaign(request, progress.hook());
+    std::unique_ptr<Session> session;
+    const auto loaded = runsOf(arguments, *input, session, progress.hook());
     if (!loaded)
         return loaded.error();
     if (loaded->campaign.sensor.contradicts(model->sensor) && !arguments.force) {
         return Error{Errc::ModelOfAnotherSensor,
-                     arguments.model + " was trained on " + model->sensor.text() + ", but the runs are of " +
+                     arguments.model.file + " was trained on " + model->sensor.text() + ", but the runs are of " +
                          loaded->campaign.sensor.text() + "; take that sensor's model, or say --force."};
     }
     if (Status covered = checkRange(arguments, *model, *loaded); !covered)
@@ -93,13 +128,16 @@ Status evaluate(const EvaluateArguments &arguments)
         for (ComparisonRow &row : evaluateModel(*model, run, arguments.judging))
             rows.push_back(std::move(row));
     }
-    if (!arguments.json)
-        return printResult(rowsAsText(rows));
-    return printJson({{"model", model->name},
-                      {"file", arguments.model},
-                      {"judging", std::string(judgingName(arguments.judging))},
-                      {"simulated", loaded->simulated},
-                      {"rows", nlohmann::ordered_json::parse(rowsToJson(rows))}});
+    const nlohmann::ordered_json json{{"model", model->name},
+                                      {"file", arguments.model.file},
+                                      {"judging", std::string(judgingName(arguments.judging))},
+                                      {"simulated", loaded->simulated},
+                                      {"rows", nlohmann::ordered_json::parse(rowsToJson(rows))}};
+    if (session && !session->isReadOnly()) {
+        if (Status kept = session->setEvaluation(json.dump()); !kept)
+            return kept;
+    }
+    return arguments.json ? printJson(json) : printResult(rowsAsText(rows));
 }
 
 } // namespace
@@ -107,19 +145,22 @@ Status evaluate(const EvaluateArguments &arguments)
 void addEvaluateCommand(CLI::App &program, Invocation &invocation)
 {
     const auto arguments = std::make_shared<EvaluateArguments>();
-    CLI::App *command = addCommand(program, "evaluate", "Judges a saved model on any runs of its sensor.",
+    CLI::App *command = addCommand(program, "evaluate", "Judges a saved model on any runs of its sensor, or on those of a session, which keeps the outcome.",
                                    "driftbench-cli evaluate --model fit/models/rbf.json new_run.csv");
-    command->add_option("--model", arguments->model, "Model file that fit wrote")
-        ->required()
-        ->type_name("FILE");
+    addModelOptions(*command, arguments->model);
     addCampaignOptions(*command, arguments->request);
     command->remove_option(command->get_option("--reference-temperature"));
     addJudgeOption(*command, arguments->judging);
     command->add_flag("--force", arguments->force,
                       "Also runs of another sensor, or outside the trained range");
     addJsonOption(*command, arguments->json);
-    command->callback(
-        [arguments, &invocation] { invocation.run = [arguments] { return evaluate(*arguments); }; });
+    command->callback([arguments, command, &invocation] {
+        if (command->count("--reference-rate") > 0)
+            arguments->overrides.referenceRate = arguments->request.campaign.referenceRate;
+        arguments->overrides.referenceRateDps = arguments->request.campaign.referenceRateDps;
+        arguments->overrides.quality = arguments->request.quality;
+        invocation.run = [arguments] { return evaluate(*arguments); };
+    });
 }
 
 } // namespace driftbench::cli

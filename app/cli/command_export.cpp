@@ -1,9 +1,11 @@
 #include "app/cli/cli_io.h"
 #include "app/cli/command.h"
 #include "app/cli/log_options.h"
+#include "app/cli/model_input.h"
+#include "engine/base/atomic_file.h"
 #include "engine/base/axes.h"
+#include "engine/base/crc32.h"
 #include "engine/exports/export_model.h"
-#include "engine/models/model_file.h"
 
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -14,7 +16,7 @@ namespace {
 
 struct ExportArguments
 {
-    std::string model;
+    ModelChoice model;
     std::string format;
     std::string out;
     std::string axes;
@@ -22,6 +24,24 @@ struct ExportArguments
     ExportOptions options;
     bool json = false;
 };
+
+// In the session that the model is of; one that can't be written to does not keep the file from being exported.
+Status noteExport(const ExportArguments &arguments, const ModelInput &input, const std::string &text)
+{
+    if (!input.session)
+        return {};
+    if (input.session->isReadOnly()) {
+        printNotice("The session does not note the export: " + input.session->readOnlyReason().toStdString());
+        return {};
+    }
+    ExportRecord made;
+    made.model = input.session->modelId(input.model.name);
+    made.format = arguments.format;
+    made.path = std::filesystem::absolute(arguments.out).lexically_normal().string();
+    made.bytes = static_cast<std::int64_t>(text.size());
+    made.crc32 = crc32(text);
+    return input.session->addExport(made);
+}
 
 Status exportIt(ExportArguments arguments)
 {
@@ -37,15 +57,20 @@ Status exportIt(ExportArguments arguments)
     }
     if (arguments.boundDps)
         arguments.options.table.maxInterpolationErrorDps = *arguments.boundDps;
-    const auto model = loadModel(arguments.model);
-    if (!model)
-        return model.error();
-    const auto notes = exportModelToFile(*model, *format, arguments.options, arguments.out);
-    if (!notes)
-        return notes.error();
-    printWarnings("", *notes);
+    const auto input = openModel(arguments.model);
+    if (!input)
+        return input.error();
+    const auto exported = exportModel(input->model, *format, arguments.options);
+    if (!exported)
+        return exported.error();
+    if (Status written = writeFileAtomically(arguments.out, exported->text); !written)
+        return written;
+    const std::vector<std::string> &notes = exported->notes;
+    printWarnings("", notes);
+    if (Status noted = noteExport(arguments, *input, exported->text); !noted)
+        return noted;
     if (arguments.json)
-        return printJson({{"out", arguments.out}, {"format", arguments.format}, {"notes", *notes}});
+        return printJson({{"out", arguments.out}, {"format", arguments.format}, {"notes", notes}});
     return printResult(arguments.out + "\n");
 }
 
@@ -59,9 +84,7 @@ void addExportCommand(CLI::App &program, Invocation &invocation)
                    "Writes a model in the form in which it is used: a table as CSV, JSON or C header, or the "
                    "parameters of PX4 or ArduPilot. Axes without the verdict yes need --force.",
                    "driftbench-cli export --model fit/models/auto.json --format c --out gyro_tde.h");
-    command->add_option("--model", arguments->model, "Model file that fit wrote")
-        ->required()
-        ->type_name("FILE");
+    addModelOptions(*command, arguments->model);
     command->add_option("--format", arguments->format, "csv, json, c, px4, ardupilot")
         ->required()
         ->type_name("NAME");

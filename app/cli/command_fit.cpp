@@ -1,3 +1,4 @@
+#include "app/campaign/calibration_result.h"
 #include "app/cli/cli_io.h"
 #include "app/cli/command.h"
 #include "app/cli/dynamic_experiment_text.h"
@@ -5,6 +6,7 @@
 #include "app/cli/log_options.h"
 #include "app/cli/output_folder.h"
 #include "app/cli/progress_line.h"
+#include "app/cli/session_fit.h"
 #include "engine/evaluation/comparison.h"
 #include "engine/exports/comparison_files.h"
 
@@ -22,20 +24,20 @@ struct FitArguments
 {
     CampaignRequest request;
     ComparisonOptions comparison;
+    PlanOverrides overrides; // the same for a session: what was said
     std::string out;
     bool dynamic = false;
     bool json = false;
 };
 
-CampaignSummary summaryOf(const LoadedCampaign &loaded)
+// What is compared, from logs or from a session.
+struct FitInput
 {
-    CampaignSummary summary;
-    summary.sensor = loaded.campaign.sensor;
-    summary.referenceTemperatureC = loaded.features.referenceTemperatureC;
-    for (const Run &run : loaded.campaign.runs)
-        summary.runs.push_back(factsOf(run));
-    return summary;
-}
+    LoadedCampaign loaded;
+    ComparisonOptions options;
+    std::vector<NamedText> beside; // files in the folder of the results
+    std::unique_ptr<Session> session;
+};
 
 // A run may be named by its file: the campaign's runs are in the order of the files.
 std::vector<std::string> namesOfHeldOut(const FitArguments &arguments, const Campaign &campaign)
@@ -56,29 +58,85 @@ std::vector<std::string> namesOfHeldOut(const FitArguments &arguments, const Cam
     return names;
 }
 
+Result<FitInput> fromLogs(const FitArguments &arguments, const ProgressHook &hook)
+{
+    auto loaded = loadCampaign(arguments.request, hook);
+    if (!loaded)
+        return loaded.error();
+    FitInput input{*std::move(loaded), arguments.comparison, {{"request.json", requestToJson(arguments.request)}}, {}};
+    input.options.holdOut = namesOfHeldOut(arguments, input.loaded.campaign);
+    return input;
+}
+
+// What was said about the calibration stays in the session's plan.
+Result<FitInput> fromSession(const FitArguments &arguments, const std::filesystem::path &path,
+                             const ProgressHook &hook)
+{
+    auto session = Session::open(path);
+    if (!session)
+        return session.error();
+    auto plan = overridden(**session, arguments.overrides);
+    if (!plan)
+        return plan.error();
+    if (Status edited = (*session)->editPlan(*std::move(plan), "options of fit"); !edited)
+        return edited;
+    auto prepared = prepareSession(**session, (*session)->plan(), hook);
+    if (!prepared)
+        return prepared.error();
+    auto options = comparisonOptions(*prepared);
+    if (!options)
+        return options.error();
+    return FitInput{std::move(prepared->loaded), *std::move(options), {}, *std::move(session)};
+}
+
+Result<FitInput> inputOf(const FitArguments &arguments, const ProgressHook &hook)
+{
+    const auto session = sessionAmong(arguments.request.files);
+    if (!session)
+        return session.error();
+    if (*session)
+        return fromSession(arguments, **session, hook);
+    if (arguments.out.empty())
+        return Error{Errc::InvalidOption, "A fit of logs needs --out: the folder for its results."};
+    return fromLogs(arguments, hook);
+}
+
+Status keep(const FitArguments &arguments, const FitInput &input, const Comparison &comparison,
+            const std::vector<NamedText> &beside)
+{
+    const CampaignSummary summary = summaryOf(input.loaded);
+    if (!arguments.out.empty()) {
+        if (Status written = writeFitFiles(arguments.out, comparison, summary, beside); !written)
+            return written;
+    }
+    if (!input.session)
+        return {};
+    return input.session->setResult(std::make_shared<const CalibrationResult>(resultOf(comparison, summary)));
+}
+
 Status fit(const FitArguments &arguments)
 {
     // A folder that can't be written to should not cost the user a training.
     OutputFolders folders;
-    if (Status writable = folders.make(arguments.out); !writable)
-        return writable;
+    if (!arguments.out.empty()) {
+        if (Status writable = folders.make(arguments.out); !writable)
+            return writable;
+    }
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
     ProgressLine progress;
-    const auto loaded = loadCampaign(arguments.request, progress.hook());
-    if (!loaded)
-        return loaded.error();
+    const auto input = inputOf(arguments, progress.hook());
+    if (!input)
+        return input.error();
     const auto read = Clock::now();
-    printFindings(loaded->campaign);
-    ComparisonOptions options = arguments.comparison;
-    options.holdOut = namesOfHeldOut(arguments, loaded->campaign);
-    const auto comparison = compareModels(loaded->features, {loaded->campaign.sensor, loaded->simulated},
-                                          options, progress.hook());
+    const Campaign &campaign = input->loaded.campaign;
+    printFindings(campaign);
+    const auto comparison = compareModels(input->loaded.features, {campaign.sensor, input->loaded.simulated},
+                                          input->options, progress.hook());
     if (!comparison)
         return comparison.error();
     const auto compared = Clock::now();
-    const CampaignSummary summary = summaryOf(*loaded);
-    std::vector<NamedText> beside{{"request.json", requestToJson(arguments.request)}};
+    std::vector<NamedText> beside = input->beside;
     std::vector<DynamicOutcome> dynamic;
     if (arguments.dynamic) {
         auto outcomes = dynamicExperiment(*comparison);
@@ -87,19 +145,39 @@ Status fit(const FitArguments &arguments)
         dynamic = *std::move(outcomes);
         beside.push_back({kDynamicExperiment, dynamicToJson(dynamic).dump(2) + "\n"});
     }
-    if (Status written = writeFitFiles(arguments.out, *comparison, summary, beside); !written)
-        return written;
+    if (Status kept = keep(arguments, *input, *comparison, beside); !kept)
+        return kept;
     folders.keep();
     // Either way the warnings of the comparison are part of what is printed.
     if (!arguments.json)
         return printResult(recommendationToText(*comparison) +
                            (dynamic.empty() ? "" : dynamicAsText(dynamic)));
-    auto json = nlohmann::ordered_json::parse(comparisonToJson(*comparison, summary));
+    auto json = nlohmann::ordered_json::parse(comparisonToJson(*comparison, summaryOf(input->loaded)));
     if (arguments.dynamic)
         json["dynamic_experiment"] = dynamicToJson(dynamic);
     json["timings_s"] = {{"read", std::chrono::duration<double>(read - start).count()},
                          {"compare", std::chrono::duration<double>(compared - read).count()}};
     return printJson(json);
+}
+
+// What of the options was said, as it counts for a session.
+PlanOverrides overridesOf(const CLI::App &command, const FitArguments &arguments)
+{
+    PlanOverrides overrides;
+    if (command.count("--reference-rate") > 0)
+        overrides.referenceRate = arguments.request.campaign.referenceRate;
+    overrides.referenceRateDps = arguments.request.campaign.referenceRateDps;
+    overrides.referenceTemperatureC = arguments.request.referenceTemperatureC;
+    overrides.quality = arguments.request.quality;
+    if (command.count("--models") > 0)
+        overrides.models = arguments.comparison.models;
+    if (command.count("--hold-out") > 0)
+        overrides.holdOut = arguments.comparison.holdOut;
+    if (command.count("--judge") > 0)
+        overrides.judging = arguments.comparison.judging;
+    if (command.count("--seed") > 0)
+        overrides.seed = arguments.comparison.seed;
+    return overrides;
 }
 
 std::string listed(const std::vector<std::string> &names)
@@ -119,11 +197,12 @@ void addFitCommand(CLI::App &program, Invocation &invocation)
         program, "fit",
         "Trains the models and judges them on runs that they have not seen: comparison.json, .csv, .md, "
         "models/<name>.json, recommendation.txt and .json. Leaves one run out at a time, unless --hold-out "
-        "says which.",
+        "says which. A session in place of the runs keeps the models and what was said here in itself.",
         "driftbench-cli fit run1.csv run2.csv run3.csv --out fit");
     addCampaignOptions(*command, arguments->request);
-    command->add_option("--out", arguments->out, "Folder for the results; made if it is not there")
-        ->required()
+    command
+        ->add_option("--out", arguments->out,
+                     "Folder for the results; made if it is not there. May be left out for a session")
         ->type_name("DIR");
     command
         ->add_option("--models", arguments->comparison.models,
@@ -142,7 +221,10 @@ void addFitCommand(CLI::App &program, Invocation &invocation)
         "--dynamic", arguments->dynamic,
         "Experiment: would dT/dt and a lag help rbf on held-out runs? Reported, never exported");
     addJsonOption(*command, arguments->json);
-    command->callback([arguments, &invocation] { invocation.run = [arguments] { return fit(*arguments); }; });
+    command->callback([arguments, command, &invocation] {
+        arguments->overrides = overridesOf(*command, *arguments);
+        invocation.run = [arguments] { return fit(*arguments); };
+    });
 }
 
 } // namespace driftbench::cli

@@ -67,6 +67,11 @@ constexpr auto kMeanings = std::to_array<Meaning>({
     meaning(Errc::BusStuck, "I2C bus stuck"),
     meaning(Errc::DamagedReport, "damaged report from the device"),
     meaning(Errc::TableMismatch, "table on the device differs from what was written"),
+    meaning(Errc::SessionDamaged, "session file damaged"),
+    meaning(Errc::SessionTooNew, "session file of a newer version"),
+    meaning(Errc::SessionReadOnly, "session file opened read-only"),
+    meaning(Errc::SessionInUse, "another program holds the session file"),
+    meaning(Errc::NoSuchRun, "no such run or model in the session"),
 });
 
 } // namespace
@@ -75,7 +80,10 @@ std::string exitCodeList()
 {
     std::string list = "Exit codes:\n";
     for (const auto &[code, text] : kMeanings)
-        list += (code < 10 ? "   " : "  ") + std::to_string(code) + "  " + std::string(text) + "\n";
+        list += (code < 10    ? "    "
+                 : code < 100 ? "   "
+                              : "  ") +
+                std::to_string(code) + "  " + std::string(text) + "\n";
     return list;
 }
 

@@ -1,5 +1,6 @@
 #include "app/cli/fit_files.h"
 
+#include "app/campaign/calibration_result.h"
 #include "app/campaign/held_out_folders.h"
 #include "app/cli/output_folder.h"
 #include "app/cli/pending_files.h"
@@ -18,21 +19,6 @@ namespace fs = std::filesystem;
 constexpr const char *kModels = "models";
 constexpr const char *kHeldOut = "held-out";
 constexpr const char *kAuto = "auto";
-
-// What the fold's model has besides its parameters is the same as for the model of all runs, but for the
-// runs.
-TrainedModel heldOutModel(const Comparison &comparison, const Fold &fold, std::size_t index)
-{
-    TrainedModel model = comparison.models[index];
-    model.model = fold.models[index].model;
-    model.summary = fold.models[index].summary;
-    model.trainedOn = fold.trainedOn;
-    const DeltaTRange range = trainedRange(fold.training);
-    model.lowestTemperatureC = model.referenceTemperatureC + range.lowest;
-    model.highestTemperatureC = model.referenceTemperatureC + range.highest;
-    model.band.reset();
-    return model;
-}
 
 // Gathers the files of a fit and knows afterwards which of them are its own.
 class FitWriter
@@ -100,14 +86,13 @@ Status addModels(FitWriter &writer, const Comparison &comparison)
         if (Status added = writer.add(fs::path(kModels) / (model.name + ".json"), modelToJson(model)); !added)
             return added;
     }
+    const std::vector<HeldOutModels> heldOut = heldOutModels(comparison);
     std::vector<std::string> foldNames;
-    for (const Fold &fold : comparison.folds)
-        foldNames.push_back(fold.name);
+    for (const HeldOutModels &fold : heldOut)
+        foldNames.push_back(fold.fold);
     const std::vector<std::string> folders = heldOutFolders(foldNames);
     for (std::size_t f = 0; f < folders.size(); ++f) {
-        const Fold &fold = comparison.folds[f];
-        for (std::size_t i = 0; i < fold.models.size(); ++i) {
-            const TrainedModel model = heldOutModel(comparison, fold, i);
+        for (const TrainedModel &model : heldOut[f].models) {
             const fs::path file = fs::path(kHeldOut) / folders[f] / (model.name + ".json");
             if (Status added = writer.add(file, modelToJson(model)); !added)
                 return added;

@@ -79,7 +79,7 @@ int main(int argc, char **argv)
     std::string fit;
     std::string report;
     bool dark = false;
-    app.add_option("DIR", fit, "Folder that `driftbench-cli fit --out` or `physics --out` wrote")->required();
+    app.add_option("DIR", fit, "Folder that `driftbench-cli fit --out` or `physics --out` wrote, or session")->required();
     app.add_option("--out", report, "Folder for the report; made if it is not there")->required();
     app.add_flag("--dark", dark, "Dark figures");
     try {

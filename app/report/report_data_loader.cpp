@@ -2,7 +2,8 @@
 
 #include "app/campaign/campaign_request.h"
 #include "app/campaign/held_out_folders.h"
-#include "app/report/report_json.h"
+#include "app/session/session.h"
+#include "engine/exports/comparison_reader.h"
 #include "engine/models/model_file.h"
 
 #include <algorithm>
@@ -52,8 +53,22 @@ static void keepExcluded(const Run &run, double referenceTemperatureC, ReportRun
     }
 }
 
+static void keepRuns(const LoadedCampaign &loaded, ReportData &data)
+{
+    if (loaded.campaign.sensor.known())
+        data.sensor = loaded.campaign.sensor.text();
+    for (std::size_t i = 0; i < loaded.campaign.runs.size(); ++i) {
+        const Run &run = loaded.campaign.runs[i];
+        ReportRun kept;
+        kept.features = loaded.features.runs[i];
+        kept.referenceRateDps = run.referenceRateDps;
+        keepExcluded(run, data.referenceTemperatureC, kept);
+        data.runs.push_back(std::move(kept));
+    }
+}
+
 // The runs as the fit read, checked and referred them.
-static Status loadRuns(const std::filesystem::path &folder, ReportData &data)
+static Status readRuns(const std::filesystem::path &folder, ReportData &data)
 {
     auto request = loadRequest(folder / "request.json");
     if (!request)
@@ -62,16 +77,7 @@ static Status loadRuns(const std::filesystem::path &folder, ReportData &data)
     const auto loaded = loadCampaign(*request);
     if (!loaded)
         return loaded.error();
-    if (loaded->campaign.sensor.known())
-        data.sensor = loaded->campaign.sensor.text();
-    for (std::size_t i = 0; i < loaded->campaign.runs.size(); ++i) {
-        const Run &run = loaded->campaign.runs[i];
-        ReportRun kept;
-        kept.features = loaded->features.runs[i];
-        kept.referenceRateDps = run.referenceRateDps;
-        keepExcluded(run, data.referenceTemperatureC, kept);
-        data.runs.push_back(std::move(kept));
-    }
+    keepRuns(*loaded, data);
     return {};
 }
 
@@ -95,24 +101,62 @@ static Status loadHeldOut(const std::filesystem::path &folder, ReportData &data)
     return {};
 }
 
+static ReportData withFigures(ReadComparison figures)
+{
+    ReportData data;
+    data.simulated = figures.simulated;
+    data.judging = figures.judging;
+    data.referenceTemperatureC = figures.referenceTemperatureC;
+    data.rbfSelection = std::move(figures.rbfSelection);
+    data.verdicts = figures.verdicts;
+    data.rows = std::move(figures.rows);
+    return data;
+}
+
+static Result<ReportData> loadSessionReport(const std::filesystem::path &path)
+{
+    const auto session = Session::open(path, SessionAccess::ReadOnly);
+    if (!session)
+        return session.error();
+    const auto &result = (*session)->result();
+    if (!result)
+        return Error{Errc::NoSuchRun, path.string() + " holds no models of its runs as they are now; train them with "
+                                                      "\"driftbench-cli fit " + path.string() + "\"."};
+    ReportData data = withFigures(result->figures);
+    CalibrationPlan plan = (*session)->plan();
+    plan.referenceTemperatureC = data.referenceTemperatureC;
+    const auto runs = loadRuns((*session)->file(), plan, {});
+    if (!runs)
+        return runs.error();
+    const auto prepared = prepareCampaign(plan, *runs);
+    if (!prepared)
+        return prepared.error();
+    if (prepared->refusal)
+        return *prepared->refusal;
+    keepRuns(prepared->loaded, data);
+    for (const TrainedModel &model : result->models)
+        data.models.emplace(model.name, model);
+    for (const HeldOutModels &fold : result->heldOut) {
+        for (const TrainedModel &model : fold.models)
+            data.heldOut[fold.fold].emplace(model.name, model);
+    }
+    return data;
+}
+
 Result<ReportData> loadReportData(const std::filesystem::path &folder)
 {
+    if (folder.extension() == kSessionEnding)
+        return loadSessionReport(folder);
     auto file = readComparisonFile(folder / "comparison.json");
     if (!file)
         return file.error();
-    ReportData data;
-    data.simulated = file->simulated;
-    data.judging = file->judging;
-    data.referenceTemperatureC = file->referenceTemperatureC;
-    data.rbfSelection = std::move(file->rbfSelection);
-    data.verdicts = file->verdicts;
-    data.rows = std::move(file->rows);
+    ReportData data = withFigures(*std::move(file));
 
     auto models = loadModels(folder / "models");
     if (!models)
         return models.error();
     data.models = std::move(*models);
-    if (Status runs = loadRuns(folder, data); !runs)
+    if (Status runs = readRuns(folder, data); !runs)
         return runs.error();
     if (Status heldOut = loadHeldOut(folder, data); !heldOut)
         return heldOut.error();

@@ -1,4 +1,4 @@
-// Reads what `driftbench-cli fit` left in a folder, and the runs that it was made from.
+// Reads what `driftbench-cli fit` left in a folder or in a session, and the runs that it was made from.
 #pragma once
 
 #include "app/report/report_data.h"
@@ -8,7 +8,7 @@
 
 namespace driftbench {
 
-// folder: comparison.json, request.json (which runs, read how), models/<name>.json,
+// folder: a session (by its ending), or comparison.json, request.json (which runs, read how), models/<name>.json,
 // held-out/<run>/<model>.json. A held-out model that is missing only costs its figures and
 // leaves a warning; all else that is missing or damaged is an error.
 Result<ReportData> loadReportData(const std::filesystem::path &folder);

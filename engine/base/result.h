@@ -62,6 +62,12 @@ enum class Errc
     BusStuck = 90,
     DamagedReport = 91,
     TableMismatch = 92,
+
+    SessionDamaged = 100,
+    SessionTooNew = 101,
+    SessionReadOnly = 102,
+    SessionInUse = 103,
+    NoSuchRun = 104,
 };
 
 struct Error

@@ -7,7 +7,7 @@ Result<Comparison> compareModels(const TrainingSet &set, const CampaignFacts &fa
 {
     // With folds there are jobs enough for every core; a single training must use them by itself.
     const int threads = options.holdOut.empty() ? 1 : options.threads;
-    const auto recipes = modelRecipes(options.models, {options.seed, threads});
+    const auto recipes = modelRecipes(options.models, {options.seed, threads, options.rbf, options.bp});
     if (!recipes)
         return recipes.error();
     return compareRecipes(*recipes, set, facts, options, hook);

@@ -74,6 +74,41 @@ std::optional<RbfSelection> selectionOf(const std::vector<ModelRecipe> &recipes,
     return std::nullopt;
 }
 
+OnRecipeTrained namedHook(const std::vector<ModelRecipe> &recipes, const ComparisonOptions &options)
+{
+    if (!options.onModelTrained)
+        return {};
+    return [&recipes, &options](std::size_t recipe, double seconds) {
+        options.onModelTrained(recipes[recipe].name, seconds);
+    };
+}
+
+Comparison judged(const TrainedRecipes &trained, const TrainingSet &set, const CampaignFacts &facts,
+                  const Splits &splits, const ComparisonOptions &options)
+{
+    const std::vector<ModelRecipe> &recipes = trained.recipes;
+    const ModelsBySet &models = trained.models;
+    Comparison comparison;
+    comparison.options = options;
+    comparison.options.onModelTrained = {}; // what it refers to may be gone
+    comparison.options.models.clear();
+    for (const ModelRecipe &recipe : recipes)
+        comparison.options.models.push_back(recipe.name);
+    comparison.simulated = facts.simulated;
+    comparison.unfinished = trained.unfinished;
+    const Scores scores = scoreAll(comparison, set, splits, models);
+    comparison.rows = rowsOfAll(recipes, splits, scores);
+    comparison.models = assembleModels(comparison, recipes, facts, splits, models, scores);
+    recommendModels(comparison, recipes, facts, splits, scores);
+    comparison.folds = foldsOf(splits, models);
+    comparison.rbfSelection = selectionOf(recipes, models[splits.everything]);
+    comparison.warnings = warningsOf(splits, recipes, models[splits.everything]);
+    for (const std::string &name : trained.unfinished)
+        comparison.warnings.push_back("The training was stopped before '" + name +
+                                      "' was finished; it is not compared.");
+    return comparison;
+}
+
 } // namespace
 
 Result<Comparison> compareRecipes(const std::vector<ModelRecipe> &recipes, const TrainingSet &set,
@@ -85,26 +120,15 @@ Result<Comparison> compareRecipes(const std::vector<ModelRecipe> &recipes, const
     const auto splits = makeSplits(set, options.holdOut);
     if (!splits)
         return splits.error();
-    const auto models =
-        trainAll(recipes, splits->trainings, options.threads, partOfWhole(hook, kTrainingShare));
-    if (!models)
-        return models.error();
-    if (report(hook, "Judging on held-out runs", kTrainingShare) == Flow::Stop)
-        return Error{Errc::Cancelled, "The comparison was stopped before it was done; nothing was written."};
-
-    Comparison comparison;
-    comparison.options = options;
-    comparison.options.models.clear();
-    for (const ModelRecipe &recipe : recipes)
-        comparison.options.models.push_back(recipe.name);
-    comparison.simulated = facts.simulated;
-    const Scores scores = scoreAll(comparison, set, *splits, *models);
-    comparison.rows = rowsOfAll(recipes, *splits, scores);
-    comparison.models = assembleModels(comparison, recipes, facts, *splits, *models, scores);
-    recommendModels(comparison, recipes, facts, *splits, scores);
-    comparison.folds = foldsOf(*splits, *models);
-    comparison.rbfSelection = selectionOf(recipes, (*models)[splits->everything]);
-    comparison.warnings = warningsOf(*splits, recipes, (*models)[splits->everything]);
+    auto trained = trainAll(recipes, splits->trainings, options.threads, partOfWhole(hook, kTrainingShare),
+                            namedHook(recipes, options));
+    if (!trained)
+        return trained.error();
+    const bool partly = !trained->unfinished.empty();
+    if ((partly && (!options.keepFinished || trained->recipes.empty())) ||
+        (!partly && !options.keepFinished && report(hook, "Judging on held-out runs", kTrainingShare) == Flow::Stop))
+        return Error{Errc::Cancelled, "The training was stopped before it was done; nothing was written."};
+    Comparison comparison = judged(*trained, set, facts, *splits, options);
     report(hook, "Judging on held-out runs", 1.0);
     return comparison;
 }

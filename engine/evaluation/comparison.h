@@ -12,6 +12,7 @@
 #include "engine/models/trained_model.h"
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,13 @@ struct ComparisonOptions
     Judging judging = Judging::Absolute;
     std::uint64_t seed = 1;
     int threads = 0;
+    RbfOptions rbf{}; // as in RecipeOptions
+    BpOptions bp{};
+    // A stop while models are trained gives the comparison of those that are finished, if there are any.
+    bool keepFinished = false;
+    // A model is trained on every fold; the seconds that its jobs took together. Called from any thread, one
+    // call at a time.
+    std::function<void(const std::string &model, double seconds)> onModelTrained{};
 };
 
 // What was trained without certain samples, and on what it is judged.
@@ -59,6 +67,7 @@ struct Comparison
     Hysteresis hysteresis;
     Repeatability repeatability;
     bool simulated = false;
+    std::vector<std::string> unfinished; // models that a stop left out
     std::vector<std::string> warnings;
 };
 

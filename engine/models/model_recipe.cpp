@@ -113,7 +113,7 @@ ModelRecipe recipeOf(std::string name, int complexity,
 
 ModelRecipe rbfRecipe(const std::string &name, int complexity, RbfPreset preset, const RecipeOptions &options)
 {
-    RbfOptions rbf;
+    RbfOptions rbf = options.rbf;
     rbf.preset = preset;
     rbf.threads = options.threads;
     return recipeOf(name, complexity,
@@ -124,7 +124,7 @@ ModelRecipe rbfRecipe(const std::string &name, int complexity, RbfPreset preset,
 
 ModelRecipe bpRecipe(const std::string &name, int complexity, const RecipeOptions &options)
 {
-    BpOptions bp;
+    BpOptions bp = options.bp;
     bp.seed = options.seed;
     bp.threads = options.threads;
     return recipeOf(name, complexity, [bp](const TrainingSet &set, const ProgressHook &hook) {

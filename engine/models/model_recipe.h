@@ -4,6 +4,7 @@
 #include "engine/base/progress.h"
 #include "engine/base/result.h"
 #include "engine/features/run_features.h"
+#include "engine/models/bp_network.h"
 #include "engine/models/rbf_trainer.h"
 #include "engine/models/trained_model.h"
 
@@ -34,6 +35,10 @@ struct RecipeOptions
 {
     std::uint64_t seed = 1;
     int threads = 0;
+    // Of "rbf" and "rbf-paper" (their preset follows from the name) and of "bpnn"; seed and threads are those
+    // above.
+    RbfOptions rbf{};
+    BpOptions bp{};
 };
 
 // "constant", "linear", "cubic" (as PX4), "cubic-ardupilot", "bpnn", "rbf-paper", "rbf".

@@ -92,6 +92,8 @@ Status checkUnits(const Campaign &campaign, std::vector<std::string> &warnings)
 
 Status setReferenceRates(Campaign &campaign, const CampaignOptions &options)
 {
+    if (options.referenceRate == ReferenceRateKind::OfEachRun)
+        return {};
     for (Run &run : campaign.runs) {
         if (options.referenceRate == ReferenceRateKind::Given) {
             run.referenceRateDps = options.referenceRateDps;

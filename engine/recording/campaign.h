@@ -23,6 +23,7 @@ enum class ReferenceRateKind
     Given,       // the same for all runs: zero, or what the rate table did
     InitialHold, // per run the mean of its initial hold; takes each run's bias there with it, so that an
                  // absolute judgement no longer sees the turn-on bias
+    OfEachRun,   // as it stands in each run
 };
 
 struct CampaignOptions

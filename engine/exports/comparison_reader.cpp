@@ -1,4 +1,4 @@
-#include "app/report/report_json.h"
+#include "engine/exports/comparison_reader.h"
 
 #include "engine/base/axes.h"
 
@@ -10,16 +10,18 @@
 
 namespace driftbench {
 
+namespace {
+
 using nlohmann::json;
 
-static double numberOf(const json &object, const char *key)
+double numberOf(const json &object, const char *key)
 {
     const json &value = object.at(key);
     return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
 }
 
 // "x", or 0 for x.
-static int axisOf(const json &value)
+int axisOf(const json &value)
 {
     if (value.is_number_integer())
         return value.get<int>();
@@ -31,7 +33,7 @@ static int axisOf(const json &value)
     return -1;
 }
 
-static ComparisonRow rowOf(const json &object)
+ComparisonRow rowOf(const json &object)
 {
     ComparisonRow row;
     row.run = object.at("run").get<std::string>();
@@ -43,11 +45,16 @@ static ComparisonRow rowOf(const json &object)
     row.noiseFloor = numberOf(object, "noise_floor");
     row.excessOverFloor = numberOf(object, "excess_over_floor");
     row.rms10sDps = numberOf(object, "rms10s_dps");
+    if (object.contains("rms_dps")) {
+        row.rmsDps = numberOf(object, "rms_dps");
+        row.biasInstabilityDps = numberOf(object, "bias_instability_dps");
+        row.trainedOn = object.at("trained_on").get<std::vector<std::string>>();
+    }
     row.samples = object.at("samples").get<Eigen::Index>();
     return row;
 }
 
-static AxisVerdict verdictOf(const json &object)
+AxisVerdict verdictOf(const json &object)
 {
     AxisVerdict verdict;
     const auto name = object.at("verdict").get<std::string>();
@@ -59,7 +66,7 @@ static AxisVerdict verdictOf(const json &object)
     return verdict;
 }
 
-static std::vector<double> lossesOf(const json &values)
+std::vector<double> lossesOf(const json &values)
 {
     std::vector<double> losses;
     for (const json &value : values)
@@ -67,7 +74,7 @@ static std::vector<double> lossesOf(const json &values)
     return losses;
 }
 
-static RbfSelection selectionOf(const json &object)
+RbfSelection selectionOf(const json &object)
 {
     RbfSelection selection;
     for (std::size_t axis = 0; axis < selection.chosen.size(); ++axis) {
@@ -80,10 +87,35 @@ static RbfSelection selectionOf(const json &object)
     return selection;
 }
 
-// Throws json::exception where the document is of another shape.
-static ComparisonFile comparisonOf(const json &document)
+Eigen::Vector3d tripleOf(const json &values)
 {
-    ComparisonFile file;
+    Eigen::Vector3d triple;
+    for (std::size_t axis = 0; axis < kAxisNames.size(); ++axis) {
+        const json &value = values.at(axis);
+        triple[static_cast<Eigen::Index>(axis)] =
+            value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
+    }
+    return triple;
+}
+
+void readHysteresis(const json &object, ReadComparison &comparison)
+{
+    Hysteresis &hysteresis = comparison.hysteresis;
+    hysteresis.heatingAndCooling = object.at("heating_and_cooling").get<bool>();
+    hysteresis.rmsDps = tripleOf(object.at("rms_dps"));
+    hysteresis.meetingTemperatureC = numberOf(object, "meeting_temperature_C");
+    for (const json &passage : object.at("passages"))
+        hysteresis.passages.push_back({passage.at("run").get<std::string>(),
+                                       passage.at("direction").get<std::string>() == "heating",
+                                       tripleOf(passage.at("tde_dps"))});
+    comparison.repeatRmsDps = tripleOf(object.at("repeat_rms_dps"));
+    comparison.curveRmsDps = tripleOf(object.at("curve_rms_dps"));
+}
+
+// Throws json::exception where the document is of another shape.
+ReadComparison comparisonOf(const json &document)
+{
+    ReadComparison file;
     file.simulated = document.at("simulated").get<bool>();
     file.judging = document.at("judging").get<std::string>();
     file.referenceTemperatureC = document.at("reference_temperature_C").get<double>();
@@ -96,10 +128,30 @@ static ComparisonFile comparisonOf(const json &document)
     }
     if (document.contains("rbf_selection") && !document.at("rbf_selection").is_null())
         file.rbfSelection = selectionOf(document.at("rbf_selection"));
+    if (document.contains("seed"))
+        file.seed = document.at("seed").get<std::uint64_t>();
+    if (document.contains("hold_out"))
+        file.holdOut = document.at("hold_out").get<std::vector<std::string>>();
+    if (document.contains("hysteresis"))
+        readHysteresis(document.at("hysteresis"), file);
+    if (document.contains("warnings"))
+        file.warnings = document.at("warnings").get<std::vector<std::string>>();
     return file;
 }
 
-Result<ComparisonFile> readComparisonFile(const std::filesystem::path &file)
+} // namespace
+
+Result<ReadComparison> comparisonFromJson(std::string_view text, const std::string &name)
+{
+    try {
+        return comparisonOf(json::parse(text));
+    } catch (const json::exception &problem) {
+        return Error{Errc::ModelDamaged,
+                     name + " is damaged (" + problem.what() + "): run the fit again."};
+    }
+}
+
+Result<ReadComparison> readComparisonFile(const std::filesystem::path &file)
 {
     std::error_code code;
     if (!std::filesystem::exists(file, code))
@@ -110,12 +162,7 @@ Result<ComparisonFile> readComparisonFile(const std::filesystem::path &file)
     const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
     if (!stream.good() && !stream.eof())
         return Error{Errc::FileUnreadable, file.string() + " can't be read: check its permissions."};
-    try {
-        return comparisonOf(json::parse(text));
-    } catch (const json::exception &problem) {
-        return Error{Errc::ModelDamaged,
-                     file.string() + " is damaged (" + problem.what() + "): run the fit again."};
-    }
+    return comparisonFromJson(text, file.string());
 }
 
 } // namespace driftbench

@@ -1,0 +1,45 @@
+// A compensation table into a native gyro bridge, or out of use again, off the thread that owns it. A cancel
+// leaves the device with the table that it had.
+#pragma once
+
+#include "app/session/job.h"
+#include "device/bridge/bridge_client.h"
+#include "device/table_upload.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace driftbench {
+
+// A client with all that it needs to live.
+using OpenClient = std::function<Result<std::shared_ptr<BridgeClient>>()>;
+
+struct UploadOutcome
+{
+    TableUploadReport report;
+    BridgeInfo device;
+};
+
+class UploadJob final : public Job
+{
+    Q_OBJECT
+
+public:
+    explicit UploadJob(QObject *parent = nullptr) : Job(parent) {}
+    ~UploadJob() override { cancelAndWait(); }
+
+    // open is called on the thread of the job.
+    bool upload(OpenClient open, std::vector<std::uint8_t> image, const TableUploadOptions &options = {});
+    bool rollBack(OpenClient open);
+    bool readBack(OpenClient open); // the table in use
+
+signals:
+    void uploaded(const driftbench::Result<driftbench::UploadOutcome> &outcome);
+    void rolledBack(const driftbench::Result<driftbench::TableRollbackReport> &outcome);
+    void readFinished(const driftbench::Result<std::optional<std::vector<std::uint8_t>>> &image);
+};
+
+} // namespace driftbench
