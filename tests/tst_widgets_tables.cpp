@@ -93,10 +93,15 @@ static const ComparisonRow &rowOf(const Comparison &comparison, const std::strin
     qFatal("no such row");
 }
 
+static QString headOf(const QAbstractItemModel &model, int column)
+{
+    return model.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+}
+
 static int columnOf(const QAbstractItemModel &model, const QString &head)
 {
     for (int column = 0; column < model.columnCount(); ++column) {
-        if (model.headerData(column, Qt::Horizontal).toString() == head)
+        if (headOf(model, column) == head)
             return column;
     }
     qFatal("no column %s", qPrintable(head));
@@ -112,10 +117,10 @@ void TestWidgetsTables::comparisonTable_run_hasThePapersOrderAndSigns()
     ComparisonTableModel table;
     table.setData({m_comparison.rows, "rbf", "run2", 0.05, QStringLiteral("Run 2")});
     QCOMPARE(table.rowCount(), 3);
-    QCOMPARE(table.headerData(0, Qt::Horizontal).toString(), QStringLiteral("Run 2"));
+    QCOMPARE(headOf(table, 0), QStringLiteral("Run 2"));
     const QStringList order{"MSD1", "MSD4", "MSD5", "MSD6", "Q3", "Q4", "Q5"};
     for (int i = 0; i < order.size(); ++i)
-        QVERIFY(table.headerData(1 + i, Qt::Horizontal).toString().startsWith(order[i] + '\n'));
+        QVERIFY(headOf(table, 1 + i).startsWith(order[i] + '\n'));
     for (int axis = 0; axis < 3; ++axis) {
         const double linear = rowOf(m_comparison, "run2", axis, "linear").msdAfter;
         const double rbf = rowOf(m_comparison, "run2", axis, "rbf").msdAfter;

@@ -9,16 +9,17 @@
 //   exports, uploads               what was written
 //
 // Each stage has one signal. A stage that is computed is dropped when what it was computed from changes: runs
-// and calibration plan drop the prepared campaign and the result, the prepared campaign drops the result. What
-// was measured, written or uploaded is a fact and stays. Values change first, then the signals come, in the
-// order above, one a stage that changed.
+// and calibration plan drop the prepared campaign and the result, the prepared campaign drops the result.
+// What was measured, written or uploaded is a fact and stays. Values change first, then the signals come, in
+// the order above, one a stage that changed.
 //
 // There is nothing to save: every change is in the file when its function returns. Where it can't be written
-// (a full disk), the value stays, savingFailed says so, and it is written with the next change that can be, or
-// by saveAgain(). A session that another program writes to is read-only: its setters return SessionReadOnly.
+// (a full disk), the value stays, savingFailed says so, and it is written with the next change that can be,
+// or by saveAgain(). A session that another program writes to is read-only: its setters return
+// SessionReadOnly.
 //
-// A new session lies in a file without a name of its own in a folder of the program, until saveAs names it; it
-// is there after a crash (unnamedSessions).
+// A new session lies in a file without a name of its own in a folder of the program, until saveAs names it;
+// it is there after a crash (unnamedSessions).
 #pragma once
 
 #include "app/session/calibration_plan.h"
@@ -114,7 +115,7 @@ public:
     // Export
     const ExportChoice &exportChoice() const { return m_choice; }
     Status setExportChoice(const ExportChoice &choice);
-    const TrainedModel *chosenModel() const; // null: there is none of that name
+    const TrainedModel *chosenModel() const;                       // null: there is none of that name
     std::optional<ModelId> modelId(const std::string &name) const; // of the result's models in the file
     const std::vector<ExportRecord> &exports() const { return m_exports; }
     Status addExport(ExportRecord made);
@@ -168,7 +169,7 @@ private:
     Status readRuns();
     void dropComputed(bool &hadPrepared, bool &hadResult);
     void planHasChanged();
-    Status planEdited();
+    Status planEdited(const CalibrationPlan &before);
     Status save(Part part);
     Status write(Part part);
     Status writePlan();

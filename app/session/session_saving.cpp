@@ -60,7 +60,8 @@ Result<StoredResult> storedFrom(const Json &json)
     stored.models = json.at("models").get<std::vector<ModelId>>();
     stored.trainingS = json.at("training_s").get<std::map<std::string, double>>();
     for (const Json &fold : json.at("held_out")) {
-        HeldOutModels &heldOut = stored.heldOut.emplace_back(HeldOutModels{fold.at("fold").get<std::string>(), {}});
+        HeldOutModels &heldOut =
+            stored.heldOut.emplace_back(HeldOutModels{fold.at("fold").get<std::string>(), {}});
         for (const Json &text : fold.at("models")) {
             auto model = modelFromJson(text.get<std::string>(), "A model in the session");
             if (!model)
@@ -76,8 +77,8 @@ Result<StoredResult> storedFromJson(const std::string &text)
     try {
         return storedFrom(Json::parse(text));
     } catch (const Json::exception &problem) {
-        return Error{Errc::SessionDamaged, std::string("The result in the session is damaged (") + problem.what() +
-                                               "); train again."};
+        return Error{Errc::SessionDamaged, std::string("The result in the session is damaged (") +
+                                               problem.what() + "); train again."};
     }
 }
 
@@ -277,8 +278,13 @@ Status Session::setEvaluation(const std::string &json)
     return {};
 }
 
-Status Session::planEdited()
+Status Session::planEdited(const CalibrationPlan &before)
 {
+    if (computesTheSame(before, plan())) {
+        const Status saved = save(Part::Plan);
+        emit planChanged();
+        return saved;
+    }
     const bool hadResult = m_result != nullptr;
     planHasChanged();
     Status saved = save(Part::Plan);

@@ -12,7 +12,9 @@ EventSeverity severityOf(const SessionEvent &event)
     const auto isOne = [&event](const auto &kinds) {
         return std::find(kinds.begin(), kinds.end(), event.kind) != kinds.end();
     };
-    return isOne(kProblems) ? EventSeverity::Problem : isOne(kWarnings) ? EventSeverity::Warning : EventSeverity::Note;
+    return isOne(kProblems)   ? EventSeverity::Problem
+           : isOne(kWarnings) ? EventSeverity::Warning
+                              : EventSeverity::Note;
 }
 
 Status Session::mayChange() const
@@ -154,28 +156,31 @@ Status Session::editPlan(CalibrationPlan plan, const QString &text)
 {
     if (Status may = mayChange(); !may)
         return may;
+    const CalibrationPlan before = this->plan();
     if (!m_history.edit(fittedToRuns(std::move(plan), m_runs), text))
         return {};
-    return planEdited();
+    return planEdited(before);
 }
 
 Status Session::undo()
 {
     if (Status may = mayChange(); !may)
         return may;
-    return m_history.undo() ? planEdited() : Status();
+    const CalibrationPlan before = plan();
+    return m_history.undo() ? planEdited(before) : Status();
 }
 
 Status Session::redo()
 {
     if (Status may = mayChange(); !may)
         return may;
-    return m_history.redo() ? planEdited() : Status();
+    const CalibrationPlan before = plan();
+    return m_history.redo() ? planEdited(before) : Status();
 }
 
 bool Session::setPrepared(const std::shared_ptr<const PreparedCampaign> &prepared)
 {
-    if (!prepared || !(prepared->plan == plan()))
+    if (!prepared || !computesTheSame(prepared->plan, plan()))
         return false;
     m_prepared = prepared;
     emit preparedChanged();

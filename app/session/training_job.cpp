@@ -4,9 +4,10 @@ namespace driftbench {
 
 namespace {
 
-Result<std::shared_ptr<const PreparedCampaign>> preparedFrom(const TrainingInput &input, const ProgressHook &hook)
+Result<std::shared_ptr<const PreparedCampaign>> preparedFrom(const TrainingInput &input,
+                                                             const ProgressHook &hook)
 {
-    if (input.prepared && input.prepared->plan == input.plan)
+    if (input.prepared && computesTheSame(input.prepared->plan, input.plan))
         return input.prepared;
     std::vector<LoadedRun> runs = input.known;
     if (input.file) {
@@ -35,7 +36,8 @@ bool TrainingJob::start(TrainingInput input)
         if (!input.train)
             return {};
         auto result = calibrate(**campaign, hook, [this, &post](const std::string &name, double seconds) {
-            post.post([this, name = QString::fromStdString(name), seconds] { emit modelTrained(name, seconds); });
+            post.post(
+                [this, name = QString::fromStdString(name), seconds] { emit modelTrained(name, seconds); });
         });
         if (!result)
             return [this, error = result.error()] {

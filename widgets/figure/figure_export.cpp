@@ -66,6 +66,13 @@ QImage figureAsImage(PlotView &view, const QSize &size, double pixelRatio)
     return image;
 }
 
+QPicture figureAsPicture(PlotView &view, const QSize &size)
+{
+    QPicture picture;
+    paintFigure(view, picture, size);
+    return picture;
+}
+
 QByteArray figureAsPng(PlotView &view, const QSize &size, double pixelRatio)
 {
     QByteArray bytes;
