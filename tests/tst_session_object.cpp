@@ -32,6 +32,8 @@ private slots:
     void stages_reopened_areTheSame();
     void open_whileOpen_isReadOnlyAndRefusesEdits();
     void open_damagedDocument_keepsTheRuns();
+    void setResult_afterAnEdit_isNotTaken();
+    void refreshRuns_nothingNew_keepsTheResult();
     void events_haveTimeAndSeverity();
 };
 
@@ -396,6 +398,29 @@ void TestSessionObject::open_damagedDocument_keepsTheRuns()
     QCOMPARE(session->plan().runs.size(), std::size_t(2));
     QCOMPARE(session->events().size(), std::size_t(4));
     QCOMPARE(severityOf(session->events()[0]), EventSeverity::Problem);
+}
+
+void TestSessionObject::setResult_afterAnEdit_isNotTaken()
+{
+    const QTemporaryDir folder;
+    const auto session = newSession(folder, 2);
+    const auto result = trainedOn(*session);
+    CalibrationPlan plan = session->plan();
+    plan.seed += 1;
+    QVERIFY(session->editPlan(plan, "seed"));
+    QCOMPARE(session->setResult(result).error().code, Errc::InvalidOption);
+    QVERIFY(!session->result());
+}
+
+void TestSessionObject::refreshRuns_nothingNew_keepsTheResult()
+{
+    const QTemporaryDir folder;
+    const auto session = newSession(folder, 2);
+    trainedOn(*session);
+    Counter counter(*session);
+    QVERIFY(session->refreshRuns());
+    QVERIFY(counter.take().isEmpty());
+    QVERIFY(session->result());
 }
 
 void TestSessionObject::events_haveTimeAndSeverity()

@@ -86,7 +86,10 @@ Result<FitInput> fromSession(const FitArguments &arguments, const std::filesyste
     auto options = comparisonOptions(*prepared);
     if (!options)
         return options.error();
-    return FitInput{std::move(prepared->loaded), *std::move(options), {}, *std::move(session)};
+    LoadedCampaign loaded = prepared->loaded;
+    if (!(*session)->setPrepared(std::make_shared<const PreparedCampaign>(*std::move(prepared))))
+        return Error{Errc::InvalidOption, "The plan of the session is not the one that was prepared; fit again."};
+    return FitInput{std::move(loaded), *std::move(options), {}, *std::move(session)};
 }
 
 Result<FitInput> inputOf(const FitArguments &arguments, const ProgressHook &hook)

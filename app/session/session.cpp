@@ -136,6 +136,8 @@ Status Session::saveAs(const fs::path &file)
     std::error_code code;
     if (fs::equivalent(file, path(), code))
         return Error{Errc::InvalidOption, file.string() + " is this session's own file; choose another name."};
+    if (Status saved = isReadOnly() ? Status() : saveAgain(); !saved)
+        return saved;
     if (Status copied = m_file.saveCopy(file); !copied)
         return copied;
     auto opened = SessionFile::open(file, SessionAccess::ReadWrite, writtenByThis());

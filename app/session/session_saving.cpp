@@ -263,6 +263,9 @@ Status Session::setResult(const std::shared_ptr<const CalibrationResult> &result
 {
     if (Status may = mayChange(); !may)
         return may;
+    if (!m_prepared)
+        return Error{Errc::InvalidOption,
+                     "The calibration plan or the runs were changed since this result was begun; train again."};
     m_result = result;
     const Status saved = save(Part::Result);
     emit resultChanged();
@@ -276,23 +279,6 @@ Status Session::setEvaluation(const std::string &json)
     m_evaluation = json;
     emit evaluationChanged();
     return {};
-}
-
-Status Session::planEdited(const CalibrationPlan &before)
-{
-    if (computesTheSame(before, plan())) {
-        const Status saved = save(Part::Plan);
-        emit planChanged();
-        return saved;
-    }
-    const bool hadResult = m_result != nullptr;
-    planHasChanged();
-    Status saved = save(Part::Plan);
-    if (hadResult) {
-        if (Status cleared = save(Part::Result); !cleared)
-            saved = cleared;
-    }
-    return saved;
 }
 
 Status Session::addExport(ExportRecord made)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace driftbench {
 
@@ -16,6 +17,20 @@ EventSeverity severityOf(const SessionEvent &event)
            : isOne(kWarnings) ? EventSeverity::Warning
                               : EventSeverity::Note;
 }
+
+namespace {
+
+bool sameData(const RunRecord &a, const RunRecord &b)
+{
+    return a.id == b.id && a.samples == b.samples && a.description.name == b.description.name;
+}
+
+bool sameState(const RunRecord &a, const RunRecord &b)
+{
+    return a.state == b.state && a.endedUtc == b.endedUtc;
+}
+
+} // namespace
 
 Status Session::mayChange() const
 {
@@ -105,25 +120,44 @@ Status Session::readRuns()
 
 Status Session::refreshRuns()
 {
+    const std::vector<RunRecord> before = m_runs;
     if (Status read = readRuns(); !read)
         return read;
+    const bool otherData = !std::equal(before.begin(), before.end(), m_runs.begin(), m_runs.end(), sameData);
+    const bool otherState = !std::equal(before.begin(), before.end(), m_runs.begin(), m_runs.end(), sameState);
+    if (!otherData && !otherState)
+        return {};
+    if (!otherData) {
+        emit runsChanged();
+        return {};
+    }
     // A run that grew is another recording.
     std::erase_if(m_recordings, [this](const auto &each) {
         const auto recording = each.second.lock();
         const RunRecord *now = run(each.first);
         return !recording || !now || recording->size() != now->samples;
     });
+    const CalibrationPlan planBefore = plan();
     m_history.fitToRuns(m_runs);
-    bool hadPrepared = false;
-    bool hadResult = false;
-    dropComputed(hadPrepared, hadResult);
-    Status saved = isReadOnly() ? Status() : save(Part::Plan);
+    return inputsChanged(true, !(plan() == planBefore));
+}
+
+Status Session::inputsChanged(bool runs, bool otherPlan)
+{
+    const bool hadPrepared = std::exchange(m_prepared, nullptr) != nullptr;
+    const bool hadResult = std::exchange(m_result, nullptr) != nullptr;
+    m_modelIds.clear();
+    Status saved;
+    if (otherPlan && !isReadOnly())
+        saved = save(Part::Plan);
     if (hadResult && !isReadOnly()) {
         if (Status cleared = save(Part::Result); !cleared)
             saved = cleared;
     }
-    emit runsChanged();
-    emit planChanged();
+    if (runs)
+        emit runsChanged();
+    if (otherPlan)
+        emit planChanged();
     if (hadPrepared)
         emit preparedChanged();
     if (hadResult)
@@ -131,25 +165,14 @@ Status Session::refreshRuns()
     return saved;
 }
 
-void Session::dropComputed(bool &hadPrepared, bool &hadResult)
+// By a limit nothing is computed, so nothing is dropped.
+Status Session::planEdited(const CalibrationPlan &before)
 {
-    hadPrepared = m_prepared != nullptr;
-    hadResult = m_result != nullptr;
-    m_prepared.reset();
-    m_result.reset();
-    m_modelIds.clear();
-}
-
-void Session::planHasChanged()
-{
-    bool hadPrepared = false;
-    bool hadResult = false;
-    dropComputed(hadPrepared, hadResult);
+    if (!computesTheSame(before, plan()))
+        return inputsChanged(false, true);
+    const Status saved = save(Part::Plan);
     emit planChanged();
-    if (hadPrepared)
-        emit preparedChanged();
-    if (hadResult)
-        emit resultChanged();
+    return saved;
 }
 
 Status Session::editPlan(CalibrationPlan plan, const QString &text)
