@@ -1,68 +1,27 @@
 #include "widgets/figure/figure_export.h"
 
 #include "engine/base/atomic_file.h"
+#include "widgets/figure/plot_picture.h"
 
 #include <QBuffer>
-#include <QPageSize>
-#include <QPdfWriter>
-#include <QSvgGenerator>
-#include <qcustomplot.h>
 
 namespace driftbench {
 
-static constexpr int kDpi = 96;
-static constexpr double kPointsPerInch = 72.0;
-
-// Also for pictures of pixels: QCustomPlot otherwise draws lines of 1 px as one device pixel, too thin at
-// twice the size.
-static void paintFigure(PlotView &view, QPaintDevice &device, const QSize &size)
-{
-    QCPPainter painter;
-    painter.begin(&device);
-    painter.setMode(QCPPainter::pmVectorized, true);
-    painter.setMode(QCPPainter::pmNoCaching, true);
-    painter.fillRect(QRect(QPoint(0, 0), size), view.look().base);
-    view.plot().toPainter(&painter, size.width(), size.height());
-    painter.end();
-}
-
 QByteArray figureAsSvg(PlotView &view, const QSize &size, const FigureText &text)
 {
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::WriteOnly);
-    QSvgGenerator generator;
-    generator.setOutputDevice(&buffer);
-    generator.setResolution(kDpi);
-    generator.setSize(size);
-    generator.setViewBox(QRect(QPoint(0, 0), size));
-    generator.setTitle(text.title);
-    generator.setDescription(text.description);
-    paintFigure(view, generator, size);
-    return bytes;
+    return plotAsSvg(view.plot(), size, view.look().base, text.title, text.description);
 }
 
 QByteArray figureAsPdf(PlotView &view, const QSize &size, const FigureText &text)
 {
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::WriteOnly);
-    QPdfWriter writer(&buffer);
-    writer.setResolution(kDpi);
-    writer.setPageSize(
-        QPageSize(QSizeF(size) * kPointsPerInch / kDpi, QPageSize::Point, QString(), QPageSize::ExactMatch));
-    writer.setPageMargins(QMarginsF(0, 0, 0, 0));
-    writer.setTitle(text.title);
-    writer.setCreator(QStringLiteral("Driftbench"));
-    paintFigure(view, writer, size);
-    return bytes;
+    return plotAsPdf(view.plot(), size, view.look().base, text.title);
 }
 
 QImage figureAsImage(PlotView &view, const QSize &size, double pixelRatio)
 {
     QImage image(size * pixelRatio, QImage::Format_RGB32);
     image.setDevicePixelRatio(pixelRatio);
-    paintFigure(view, image, size);
+    paintPlot(view.plot(), image, size, view.look().base);
     return image;
 }
 
@@ -75,11 +34,7 @@ QPicture figureAsPicture(PlotView &view, const QSize &size)
 
 QByteArray figureAsPng(PlotView &view, const QSize &size, double pixelRatio)
 {
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::WriteOnly);
-    figureAsImage(view, size, pixelRatio).save(&buffer, "PNG");
-    return bytes;
+    return plotAsPng(view.plot(), size, view.look().base, pixelRatio);
 }
 
 Status saveFigure(PlotView &view, const std::filesystem::path &file, const FigureText &text)

@@ -42,9 +42,17 @@ void PanelNotes::setMarginLabels(std::vector<MarginLabel> labels)
     makeRoom();
 }
 
+void PanelNotes::setMarginRoom(const QString &widestLabel)
+{
+    m_widestLabel = widestLabel;
+    makeRoom();
+}
+
 void PanelNotes::makeRoom()
 {
     int right = kPanelGap;
+    if (!m_widestLabel.isEmpty())
+        right = kLeadLength + kLeadGap + QFontMetrics(strongNoteFont()).horizontalAdvance(m_widestLabel);
     for (const MarginLabel &label : m_labels) {
         const QFontMetrics metrics(label.main ? strongNoteFont() : noteFont());
         right = std::max(right, kLeadLength + kLeadGap + metrics.horizontalAdvance(label.text) + kPanelGap);

@@ -31,6 +31,8 @@ public:
     void setNote(const QString &note);
     // Makes room right of the panel. Labels whose value is not finite are left out.
     void setMarginLabels(std::vector<MarginLabel> labels);
+    // At least so much room for them, so that figures that change do not move the panel.
+    void setMarginRoom(const QString &widestLabel);
 
     double selectTest(const QPointF &, bool, QVariant *) const override { return -1.0; }
 
@@ -47,6 +49,7 @@ private:
     QString m_name;
     QString m_note;
     std::vector<MarginLabel> m_labels;
+    QString m_widestLabel;
 };
 
 } // namespace driftbench

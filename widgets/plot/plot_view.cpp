@@ -2,6 +2,7 @@
 
 #include "widgets/plot/empty_element.h"
 #include "widgets/plot/legend_element.h"
+#include "widgets/plot/plot_interaction.h"
 #include "widgets/plot/plot_style.h"
 
 #include <QVBoxLayout>
@@ -28,6 +29,23 @@ PlotView::~PlotView() = default;
 void PlotView::setLook(const Palette &look)
 {
     m_look = look;
+    if (m_interaction)
+        m_interaction->setLook(look);
+    rebuild();
+}
+
+PlotInteraction &PlotView::enableInteraction()
+{
+    if (!m_interaction) {
+        m_interaction = new PlotInteraction(m_plot, m_look);
+        m_interaction->rememberHome();
+    }
+    return *m_interaction;
+}
+
+void PlotView::setLegendInside(bool inside)
+{
+    m_legendInside = inside;
     rebuild();
 }
 
@@ -50,13 +68,22 @@ void PlotView::clearPlot()
 
 void PlotView::rebuild()
 {
+    const bool moved = m_interaction && m_interaction->isMoved();
+    const auto before = moved ? m_interaction->view() : PlotInteraction::View{};
     clearPlot();
+    m_legend.clear();
     applyPlotStyle(*m_plot, m_look);
     m_plot->plotLayout()->setMargins(QMargins(kPlotMargin, kPlotMargin, kPlotMargin, kPlotMargin));
     m_plot->plotLayout()->setRowSpacing(kRowSpacing);
     m_empty = false;
     build();
+    if (m_interaction) {
+        m_interaction->rememberHome();
+        if (moved)
+            m_interaction->putBack(before);
+    }
     m_plot->replot(QCustomPlot::rpQueuedReplot);
+    emit rebuilt();
 }
 
 void PlotView::showEmpty(const QString &headline, const QString &sentence)
@@ -71,7 +98,9 @@ void PlotView::addLegend(std::vector<LegendEntry> entries)
     QCPLayoutGrid *rows = m_plot->plotLayout();
     if (rows->elementCount() == 0 && !m_origin.isEmpty())
         entries.push_back({LegendEntry::Kind::Heading, m_origin, QPen(Qt::NoPen), {}});
-    rows->addElement(rows->rowCount(), 0, new LegendElement(m_plot, std::move(entries), m_look));
+    m_legend.insert(m_legend.end(), entries.begin(), entries.end());
+    if (m_legendInside)
+        rows->addElement(rows->rowCount(), 0, new LegendElement(m_plot, std::move(entries), m_look));
 }
 
 QCPLayoutGrid &PlotView::addPanels(bool sharedValues)

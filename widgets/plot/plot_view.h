@@ -1,8 +1,10 @@
 // What all views have in common: a widget that holds one plot, a look (light or dark), and a sentence in
 // place of the plot where there is nothing to show. A view is given plain engine values and draws them; it
-// changes nothing. The legend is part of the plot, so a picture of the plot is a picture of the view.
+// changes nothing. The legend is part of the plot, so a picture of the plot is a picture of the view; a page
+// that has its own row for it (LegendRow) takes it out.
 #pragma once
 
+#include "widgets/plot/legend_painter.h"
 #include "widgets/style/palette.h"
 
 #include <QWidget>
@@ -16,7 +18,7 @@ class QCustomPlot;
 
 namespace driftbench {
 
-struct LegendEntry;
+class PlotInteraction;
 
 class PlotView : public QWidget
 {
@@ -31,11 +33,22 @@ public:
     // Where the data come from, where that must be said: "Simulated data". Stands in the legend.
     void setOrigin(const QString &origin);
 
+    // Mouse and keys, for views in the window; pictures need none. A view that the user has moved stays where
+    // it is when new data of the same kind come.
+    PlotInteraction &enableInteraction();
+    PlotInteraction *interaction() const { return m_interaction; }
+
+    void setLegendInside(bool inside); // default: yes
+    const std::vector<LegendEntry> &legend() const { return m_legend; }
+
     bool isEmpty() const { return m_empty; } // shows a sentence instead of data
     QCustomPlot &plot() const { return *m_plot; }
     virtual QSize figureSize() const = 0; // in px at 96 dpi, for pictures in reports
 
     QSize sizeHint() const override { return figureSize(); }
+
+signals:
+    void rebuilt(); // data, look or legend changed
 
 protected:
     PlotView(const QString &accessibleName, const Palette &look, QWidget *parent);
@@ -57,6 +70,9 @@ private:
     Palette m_look;
     QCustomPlot *m_plot;
     std::vector<QCPMarginGroup *> m_marginGroups;
+    PlotInteraction *m_interaction = nullptr;
+    std::vector<LegendEntry> m_legend;
+    bool m_legendInside = true;
     QString m_origin;
     bool m_empty = true;
     bool m_sharedValues = false; // of the panels being added

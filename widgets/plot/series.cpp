@@ -1,5 +1,7 @@
 #include "widgets/plot/series.h"
 
+#include "widgets/plot/range_graph.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -106,37 +108,29 @@ static QCPAxis *valueAxisOf(QCPAxisRect &rect)
     return rect.axis(QCPAxis::atLeft);
 }
 
-void addLine(QCPAxisRect &rect, const QVector<double> &keys, const QVector<double> &values, const QPen &pen)
+void addLine(QCPAxisRect &rect, const QVector<double> &keys, const QVector<double> &values, const QPen &pen,
+             const QString &name)
 {
     auto *graph = new LineGraph(keyAxisOf(rect), valueAxisOf(rect));
     graph->setPen(pen);
+    graph->setName(name);
     graph->setData(keys, values);
 }
 
-static QVector<double> within(QVector<double> values, const QCPRange &range)
-{
-    for (double &value : values)
-        value = std::isnan(value) ? value : std::clamp(value, range.lower, range.upper);
-    return values;
-}
-
 void addRange(QCPAxisRect &rect, const QVector<double> &keys, const QVector<double> &low,
-              const QVector<double> &high, const QColor &fill)
+              const QVector<double> &high, const QColor &fill, const QString &name)
 {
-    auto *lower = new QCPGraph(keyAxisOf(rect), valueAxisOf(rect));
-    auto *upper = new QCPGraph(keyAxisOf(rect), valueAxisOf(rect));
-    lower->setPen(Qt::NoPen);
-    upper->setPen(Qt::NoPen);
-    lower->setData(keys, within(low, valueAxisOf(rect)->range()), true);
-    upper->setData(keys, within(high, valueAxisOf(rect)->range()), true);
-    upper->setBrush(fill);
-    upper->setChannelFillGraph(lower);
+    auto *graph = new RangeGraph(keyAxisOf(rect), valueAxisOf(rect));
+    graph->setBand(keys, low, high);
+    graph->setBrush(fill);
+    graph->setName(name);
 }
 
 void addDots(QCPAxisRect &rect, const QVector<double> &keys, const QVector<double> &values,
-             const QColor &color, double diameter)
+             const QColor &color, double diameter, const QString &name)
 {
     auto *graph = new DotGraph(keyAxisOf(rect), valueAxisOf(rect), color, diameter);
+    graph->setName(name);
     graph->setData(keys, values);
 }
 

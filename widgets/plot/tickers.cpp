@@ -65,6 +65,36 @@ QString HourMinuteTicker::getTickLabel(double tick, const QLocale &, QChar, int)
     return hourMinuteText(tick);
 }
 
+double ClockTicker::stepFor(double spanS, int tickCount)
+{
+    static constexpr std::array<double, 21> kSteps{1,     2,     5,     10,    15,     30,     60,
+                                                   120,   300,   600,   900,   1800,   3600,   7200,
+                                                   10800, 21600, 43200, 86400, 172800, 432000, 864000};
+    const double wanted = 0.8 * spanS / tickCount;
+    if (wanted < 0.5)
+        return std::pow(10.0, std::ceil(std::log10(wanted)));
+    const auto *const step = std::lower_bound(kSteps.begin(), kSteps.end(), wanted);
+    return step != kSteps.end() ? *step : 86400.0 * std::ceil(wanted / 86400.0);
+}
+
+double ClockTicker::getTickStep(const QCPRange &range)
+{
+    m_stepS = stepFor(range.size(), tickCount());
+    return m_stepS;
+}
+
+QString ClockTicker::getTickLabel(double tick, const QLocale &locale, QChar, int)
+{
+    if (!needsSeconds(m_stepS))
+        return hourMinuteText(tick / 3600.0);
+    const QString whole = clockText(std::floor(tick + 1e-9 * std::abs(tick) + 1e-9));
+    if (m_stepS >= 1.0)
+        return whole;
+    const int decimals = std::min(6, static_cast<int>(std::lround(-std::log10(m_stepS))));
+    const double rest = tick - std::floor(tick + 1e-9 * std::abs(tick) + 1e-9);
+    return whole + numberText(rest, decimals, locale).mid(1); // ".05"
+}
+
 QString DecadeTicker::getTickLabel(double tick, const QLocale &locale, QChar, int)
 {
     return decadeText(static_cast<int>(std::lround(std::log10(tick))), locale);

@@ -45,6 +45,24 @@ protected:
     QString getTickLabel(double tick, const QLocale &locale, QChar formatChar, int precision) override;
 };
 
+// Keys in seconds, labels h:min, or h:min:s where ticks are closer than a minute; steps that a clock has.
+class ClockTicker : public QCPAxisTicker
+{
+public:
+    explicit ClockTicker(int tickCount = 6) { setTickCount(tickCount); }
+
+    static double stepFor(double spanS, int tickCount);
+    static bool needsSeconds(double stepS) { return stepS < 60.0; }
+
+protected:
+    double getTickStep(const QCPRange &range) override;
+    int getSubTickCount(double) override { return 0; }
+    QString getTickLabel(double tick, const QLocale &locale, QChar formatChar, int precision) override;
+
+private:
+    double m_stepS = 60.0;
+};
+
 // Logarithmic axis: decades only.
 class DecadeTicker : public QCPAxisTickerLog
 {

@@ -71,4 +71,16 @@ QString hourMinuteText(double hours)
     return hours < 0.0 && minutes > 0 ? kMinus + text : text;
 }
 
+QString clockText(double seconds)
+{
+    if (!std::isfinite(seconds))
+        return QString(kEnDash);
+    const auto whole = static_cast<qint64>(std::abs(seconds) + 1e-6);
+    const QString text = QStringLiteral("%1:%2:%3")
+                             .arg(whole / 3600)
+                             .arg(whole / 60 % 60, 2, 10, QLatin1Char('0'))
+                             .arg(whole % 60, 2, 10, QLatin1Char('0'));
+    return seconds < 0.0 && whole > 0 ? kMinus + text : text;
+}
+
 } // namespace driftbench

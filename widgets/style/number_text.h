@@ -19,5 +19,6 @@ QString decadeText(int exponent, const QLocale &locale = QLocale());
 QString powerText(double value, int decimals, const QLocale &locale = QLocale());
 
 QString hourMinuteText(double hours); // "2:05", "−0:30"
+QString clockText(double seconds);    // "2:24:10", "−0:00:30"; what is left of a second is left out
 
 } // namespace driftbench

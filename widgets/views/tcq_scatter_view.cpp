@@ -2,6 +2,7 @@
 
 #include "engine/base/axes.h"
 #include "engine/features/temperature_quantities.h"
+#include "widgets/plot/axis_moves.h"
 #include "widgets/plot/decimation.h"
 #include "widgets/plot/legend_element.h"
 #include "widgets/plot/panel_notes.h"
@@ -13,6 +14,8 @@
 #include <cmath>
 
 namespace driftbench {
+
+static constexpr double kSelectedDot = 3.0;
 
 TcqScatterView::TcqScatterView(const Palette &look, QWidget *parent)
     : PlotView(tr("Drift error against the temperature quantities"), look, parent)
@@ -78,9 +81,12 @@ static void includeDots(const ScatterDots &dots, Extent &deltaT, Extent &values)
 
 static void drawDots(QCPAxisRect &rect, const ScatterDots &dots, int quantity, const Palette &look)
 {
-    addDots(rect, quantityOf(dots.excluded.deltaT, quantity), dots.excluded.valueDps, look.excluded);
-    addDots(rect, quantityOf(dots.heating.deltaT, quantity), dots.heating.valueDps, look.heating);
-    addDots(rect, quantityOf(dots.cooling.deltaT, quantity), dots.cooling.valueDps, look.cooling);
+    addDots(rect, quantityOf(dots.excluded.deltaT, quantity), dots.excluded.valueDps, look.excluded, 1.5,
+            TcqScatterView::tr("Excluded"));
+    addDots(rect, quantityOf(dots.heating.deltaT, quantity), dots.heating.valueDps, look.heating, 1.5,
+            TcqScatterView::tr("Heating"));
+    addDots(rect, quantityOf(dots.cooling.deltaT, quantity), dots.cooling.valueDps, look.cooling, 1.5,
+            TcqScatterView::tr("Cooling"));
 }
 
 // The band around the main curve, or around zero in the residual row.
@@ -132,11 +138,20 @@ void TcqScatterView::addLegendRow(const ScatterDots &dots)
 {
     using Kind = LegendEntry::Kind;
     std::vector<LegendEntry> entries = dotLegend(dots, look());
+    for (LegendEntry &entry : entries) {
+        if (entry.fill == look().heating && !m_data.heatingText.isEmpty())
+            entry.text = m_data.heatingText;
+        if (entry.fill == look().cooling && !m_data.coolingText.isEmpty())
+            entry.text = m_data.coolingText;
+    }
     for (std::size_t i = 0; i < m_data.curves.size(); ++i) {
         const ModelCurve &curve = m_data.curves[i];
         const QString label = modelLabel(curve.name);
         if (i == 0 && m_data.band)
-            entries.push_back({Kind::Range, tr("Fitted curve, %1, with its 95 % band").arg(label),
+            entries.push_back({Kind::Range,
+                               m_data.bandText.isEmpty()
+                                   ? tr("Fitted curve, %1, with its 95 % band").arg(label)
+                                   : m_data.bandText,
                                curvePen(curve, true, look()), look().border});
         else
             entries.push_back({Kind::Line,
@@ -145,6 +160,43 @@ void TcqScatterView::addLegendRow(const ScatterDots &dots)
                                {}});
     }
     addLegend(std::move(entries));
+}
+
+std::pair<int, int> TcqScatterView::placeOf(const QCPAxisRect *panel) const
+{
+    const auto panels = plot().axisRects();
+    const auto at = static_cast<int>(std::find(panels.begin(), panels.end(), panel) - panels.begin());
+    return {at % 3, at / 3};
+}
+
+void TcqScatterView::drawSelected(QCPAxisRect &rect, int quantity, bool residuals) const
+{
+    if (m_data.selectedDeltaT.size() == 0)
+        return;
+    QVector<double> values;
+    for (Eigen::Index i = 0; i < m_data.selectedDeltaT.size(); ++i)
+        values.append(m_data.selectedTdeDps(i, m_data.axis) -
+                      (residuals ? interpolated(m_data.curves.front(), m_data.axis, m_data.selectedDeltaT[i])
+                                 : 0.0));
+    addDots(rect, quantityOf(toQVector(m_data.selectedDeltaT), quantity), values, look().accent,
+            kSelectedDot, tr("Selected"));
+}
+
+// A column shares its quantity, a row its values.
+void TcqScatterView::linkPanels() const
+{
+    const auto panels = plot().axisRects();
+    for (int line = 0; line < 3; ++line) {
+        QList<QCPAxis *> keys, values;
+        for (qsizetype i = 0; i < panels.size(); ++i) {
+            if (i % 3 == line)
+                keys.append(panels[i]->axis(QCPAxis::atBottom));
+            if (i / 3 == line)
+                values.append(panels[i]->axis(QCPAxis::atLeft));
+        }
+        linkAxes(keys);
+        linkAxes(values);
+    }
 }
 
 void TcqScatterView::build()
@@ -181,6 +233,7 @@ void TcqScatterView::build()
             if (hasCurve && m_data.band)
                 drawBand(rect, m_data, quantity, row == 1, look().border);
             drawDots(rect, row == 0 ? tde : left, quantity, look());
+            drawSelected(rect, quantity, row == 1);
             if (row == 1)
                 addHorizontal(rect, 0.0, zeroPen(look()));
             for (std::size_t i = m_data.curves.size(); row == 0 && i-- > 0;)
@@ -190,6 +243,7 @@ void TcqScatterView::build()
     }
     if (hasCurve)
         grid.setRowStretchFactor(0, 1.8);
+    linkPanels();
 }
 
 } // namespace driftbench

@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace driftbench {
@@ -23,10 +24,15 @@ struct TcqScatterData
     // The first is the main one: the residuals are against it and the band is drawn around it.
     std::vector<ModelCurve> curves;
     std::optional<UncertaintyBand> band;
+    QString bandText;                   // what the band is, if not the 95 % band of a new run's curve
     double referenceTemperatureC = 0.0; // of the band's temperatures
+    QString heatingText, coolingText;   // of the legend, where it is known which runs these are
     // Samples that were taken out before the features were made; shown only.
     Eigen::VectorXd excludedDeltaT;
     Eigen::MatrixX3d excludedTdeDps;
+    // Samples that are selected here or in another plot; drawn over the others.
+    Eigen::VectorXd selectedDeltaT;
+    Eigen::MatrixX3d selectedTdeDps;
 };
 
 class TcqScatterView : public PlotView
@@ -37,6 +43,9 @@ public:
     explicit TcqScatterView(const Palette &look = lightPalette(), QWidget *parent = nullptr);
 
     void setData(TcqScatterData shown);
+    const TcqScatterData &shown() const { return m_data; }
+    // The quantity (0, 1, 2) and the row (0 TDE, 1 residual) of a panel.
+    std::pair<int, int> placeOf(const QCPAxisRect *panel) const;
 
     QSize figureSize() const override { return {1040, 480}; }
 
@@ -45,6 +54,8 @@ protected:
 
 private:
     void addLegendRow(const ScatterDots &dots);
+    void drawSelected(QCPAxisRect &rect, int quantity, bool residuals) const;
+    void linkPanels() const;
 
     TcqScatterData m_data;
 };

@@ -2,7 +2,7 @@
 
 #include "engine/base/axes.h"
 #include "engine/features/temperature_quantities.h"
-#include "widgets/plot/decimation.h"
+#include "widgets/plot/axis_moves.h"
 #include "widgets/plot/legend_element.h"
 #include "widgets/plot/panel_notes.h"
 #include "widgets/plot/plot_style.h"
@@ -20,9 +20,31 @@ TcqTimeView::TcqTimeView(const Palette &look, QWidget *parent)
     rebuild();
 }
 
+TcqTimeTraces tcqTimeTraces(const RunFeatures &run)
+{
+    TcqTimeTraces shown;
+    if (run.timeS.size() == 0)
+        return shown;
+    const Eigen::VectorXd sinceStart = run.timeS.array() - run.timeS[0];
+    shown.spanS = sinceStart[sinceStart.size() - 1];
+    Eigen::VectorXd quantity; // one at a time: a run may be long
+    for (int i = 0; i < 3; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        quantity = run.deltaT.unaryExpr([i](double deltaT) { return temperatureQuantities(deltaT)[i]; });
+        shown.traces[at] = envelope(sinceStart, quantity, 0.0, shown.spanS, kColumns);
+        shown.traces[3 + at] = envelope(sinceStart, run.tdeDps.col(i), 0.0, shown.spanS, kColumns);
+    }
+    return shown;
+}
+
 void TcqTimeView::setRun(std::shared_ptr<const RunFeatures> run)
 {
-    m_run = std::move(run);
+    setTraces(run ? tcqTimeTraces(*run) : TcqTimeTraces{});
+}
+
+void TcqTimeView::setTraces(TcqTimeTraces traces)
+{
+    m_shown = std::move(traces);
     rebuild();
 }
 
@@ -32,32 +54,33 @@ namespace {
 struct Strip
 {
     QString title;
-    Eigen::VectorXd values;
+    const Envelope *trace = nullptr;
     QPen line;
     QColor fill;
 };
 
 } // namespace
 
-static void drawStrip(QCPAxisRect &rect, const Strip &strip, const Eigen::VectorXd &timeS,
-                      const TimeScale &scale)
+static void drawStrip(QCPAxisRect &rect, const Strip &strip, const TimeScale &scale)
 {
-    const auto trace =
-        envelope(timeS, strip.values, timeS[0], timeS[timeS.size() - 1], kColumns, scale.secondsPerUnit);
+    const Envelope &trace = *strip.trace;
     Extent extent;
+    QVector<double> keys = trace.key;
+    for (double &key : keys)
+        key /= scale.secondsPerUnit;
     for (qsizetype i = 0; i < trace.key.size(); ++i) {
         extent.include(trace.low[i]);
         extent.include(trace.high[i]);
     }
     rect.axis(QCPAxis::atLeft)->setRange(extent.padded());
     rect.axis(QCPAxis::atLeft)->setLabel(strip.title);
-    addRange(rect, trace.key, trace.low, trace.high, strip.fill);
-    addLine(rect, trace.key, trace.mean, strip.line);
+    addRange(rect, keys, trace.low, trace.high, strip.fill);
+    addLine(rect, keys, trace.mean, strip.line, strip.title);
 }
 
 void TcqTimeView::build()
 {
-    if (!m_run || m_run->timeS.size() == 0) {
+    if (m_shown.traces.front().key.isEmpty()) {
         showEmpty(tr("No run yet"), tr("Record a run, or open a log file."));
         return;
     }
@@ -65,26 +88,24 @@ void TcqTimeView::build()
     addLegend(
         {{LegendEntry::Kind::Line, tr("Temperature quantity"), temperature, {}},
          {LegendEntry::Kind::Range, tr("TDE, mean and range"), rolePen(Role::Raw, look()), look().rawRange}});
-    const Eigen::MatrixXd quantities = temperatureQuantities(FeatureSet::DeltaTSquaredRoot, m_run->deltaT);
     const std::array<QString, 3> names{tr("ΔT (°C)"), tr("ΔT² (°C²)"), tr("√ΔT (√°C)")};
     std::array<Strip, 6> strips;
-    for (int i = 0; i < 3; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        strips[2 * k] = {names[k], quantities.col(i), temperature, look().grid};
+    for (std::size_t k = 0; k < 3; ++k) {
+        strips[2 * k] = {names[k], &m_shown.traces[k], temperature, look().grid};
         const QString axis = QString::fromUtf8(kAxisNames[k].data());
-        strips[2 * k + 1] = {tr("TDE, %1 (dps)").arg(axis), m_run->tdeDps.col(i), rolePen(Role::Raw, look()),
-                             look().rawRange};
+        strips[2 * k + 1] = {tr("TDE, %1 (dps)").arg(axis), &m_shown.traces[3 + k],
+                             rolePen(Role::Raw, look()), look().rawRange};
     }
 
-    const Eigen::VectorXd sinceStart = m_run->timeS.array() - m_run->timeS[0];
-    const TimeScale scale = timeScaleFor(sinceStart.maxCoeff());
+    const TimeScale scale = timeScaleFor(m_shown.spanS);
     Extent time;
     time.include(0.0);
-    time.include(sinceStart.maxCoeff() / scale.secondsPerUnit);
+    time.include(m_shown.spanS / scale.secondsPerUnit);
     QCPLayoutGrid &grid = addPanels();
+    QList<QCPAxis *> keys;
     for (int i = 0; i < 6; ++i) {
         QCPAxisRect &rect = addPanel(grid, i / 2, i % 2);
-        drawStrip(rect, strips[static_cast<std::size_t>(i)], sinceStart, scale);
+        drawStrip(rect, strips[static_cast<std::size_t>(i)], scale);
         QCPAxis &bottom = *rect.axis(QCPAxis::atBottom);
         bottom.setRange(time.padded(0.0));
         applyTimeScale(bottom, scale, tr("Time since start"));
@@ -92,7 +113,9 @@ void TcqTimeView::build()
             hideAxisText(bottom);
         auto *notes = new PanelNotes(&rect, look());
         notes->setMarginLabels({});
+        keys.append(&bottom);
     }
+    linkAxes(keys);
     grid.setRowStretchFactor(2, kLastRowStretch);
 }
 

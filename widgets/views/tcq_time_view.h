@@ -3,11 +3,22 @@
 #pragma once
 
 #include "engine/features/run_features.h"
+#include "widgets/plot/decimation.h"
 #include "widgets/plot/plot_view.h"
 
+#include <array>
 #include <memory>
 
 namespace driftbench {
+
+// What is drawn: dT, dT^2, signed root, then TDE of x, y, z, in seconds since the start. Made of long runs off
+// the thread of the window.
+struct TcqTimeTraces
+{
+    double spanS = 0.0;
+    std::array<Envelope, 6> traces;
+};
+TcqTimeTraces tcqTimeTraces(const RunFeatures &run);
 
 class TcqTimeView : public PlotView
 {
@@ -18,13 +29,15 @@ public:
 
     void setRun(std::shared_ptr<const RunFeatures> run); // null: nothing to show
 
+    void setTraces(TcqTimeTraces traces);
+
     QSize figureSize() const override { return {1040, 560}; }
 
 protected:
     void build() override;
 
 private:
-    std::shared_ptr<const RunFeatures> m_run;
+    TcqTimeTraces m_shown;
 };
 
 } // namespace driftbench
