@@ -75,7 +75,8 @@ static void addCards(const ReportData &data, ReportDocument &document)
     const std::string novel = novelModel(data).toStdString();
     for (int axis = 0; axis < kAxisCount; ++axis) {
         const AxisVerdict &judged = data.verdicts[static_cast<std::size_t>(axis)];
-        const AxisFinding finding = findAxis(data.rows, axis, novel, judged.verdict, data.limitDps);
+        const AxisFinding finding =
+            findAxis(data.rows, axis, judgedModel(judged, novel), judged.verdict, data.limitDps);
         document.cards.push_back({QString::fromUtf8(kAxisNames[static_cast<std::size_t>(axis)].data()),
                                   finding.verdict, verdictWord(finding.verdict), passText(finding),
                                   findingText(finding, data.hysteresis.rmsDps[axis]).whole(),

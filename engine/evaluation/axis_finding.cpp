@@ -53,6 +53,11 @@ std::size_t AxisFinding::losing() const
         std::count_if(runs.begin(), runs.end(), [](const RunLeft &run) { return run.constantIsBetter; }));
 }
 
+std::string judgedModel(const AxisVerdict &verdict, const std::string &fallback)
+{
+    return verdict.model.empty() || verdict.model == "constant" ? fallback : verdict.model;
+}
+
 AxisFinding findAxis(const std::vector<ComparisonRow> &rows, int axis, const std::string &model,
                      Verdict judged, std::optional<double> limitDps)
 {

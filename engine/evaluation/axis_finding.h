@@ -9,6 +9,7 @@
 // noise floor, as in verdict.h. Without a limit every run is within it.
 #pragma once
 
+#include "engine/evaluation/comparison.h"
 #include "engine/evaluation/scoring.h"
 #include "engine/models/trained_model.h"
 
@@ -40,6 +41,9 @@ struct AxisFinding
     std::size_t passing() const; // runs within the limit
     std::size_t losing() const;  // runs that are better off with the constant
 };
+
+// The model that a verdict is about: the recommended one, or where that is the constant, `fallback`.
+std::string judgedModel(const AxisVerdict &verdict, const std::string &fallback);
 
 // judged: the verdict of the comparison for this axis. Runs without a row of the model are left out.
 AxisFinding findAxis(const std::vector<ComparisonRow> &rows, int axis, const std::string &model,

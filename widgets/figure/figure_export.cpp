@@ -28,7 +28,7 @@ QImage figureAsImage(PlotView &view, const QSize &size, double pixelRatio)
 QPicture figureAsPicture(PlotView &view, const QSize &size)
 {
     QPicture picture;
-    paintFigure(view, picture, size);
+    paintPlot(view.plot(), picture, size, view.look().base);
     return picture;
 }
 

@@ -1,5 +1,6 @@
 #include "engine/base/axes.h"
 #include "widgets/plot/panel_notes.h"
+#include "widgets/plot/plot_interaction.h"
 #include "widgets/plot/plot_style.h"
 #include "widgets/plot/series.h"
 #include "widgets/plot/tickers.h"
@@ -64,6 +65,16 @@ int CentresView::countAt(double key) const
     return std::clamp(static_cast<int>(std::lround(key)), 0, std::max(0, tried - 1));
 }
 
+void CentresView::enablePicking()
+{
+    connect(&enableInteraction(), &PlotInteraction::clicked, this,
+            [this](const QCPAxisRect *panel, const QPointF &place) {
+                const QCPAxis *keys = panel != nullptr ? panel->axis(QCPAxis::atBottom) : nullptr;
+                if (keys != nullptr && keys->label() == tr("Number of centres"))
+                    emit countPicked(countAt(keys->pixelToCoord(place.x())));
+            });
+}
+
 CentresView::LossRange CentresView::lossRange() const
 {
     const RbfSelection &selection = *m_data.selection;
@@ -108,8 +119,9 @@ void CentresView::drawLosses(QCPAxisRect &rect, std::size_t axis)
         addHorizontal(rect, value, pen);
         labels.push_back({value, pen, shortModelLabel(level.model), false});
     }
-    addLine(rect, countsUpTo(training.size()), training, trainingPen(look()));
-    addLine(rect, countsUpTo(heldOut.size()), heldOut, rolePen(Role::Compensated, look()));
+    addLine(rect, countsUpTo(training.size()), training, trainingPen(look()), tr("RBF training"));
+    addLine(rect, countsUpTo(heldOut.size()), heldOut, rolePen(Role::Compensated, look()),
+            tr("RBF held out"));
     addDots(rect, countsUpTo(heldOut.size()), heldOut, look().compensated, 4.0);
     auto *notes = new PanelNotes(&rect, look());
     notes->setName(QString::fromUtf8(kAxisNames[axis].data()));

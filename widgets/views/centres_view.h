@@ -58,8 +58,13 @@ public:
 
     // The number of centres at a key of one of the loss panels, within what was tried.
     int countAt(double key) const;
+    // Mouse and keys, and clicks on a loss panel: countPicked.
+    void enablePicking();
 
     QSize figureSize() const override { return {1040, m_data.selection && m_part == Part::Both ? 560 : 320}; }
+
+signals:
+    void countPicked(int centres);
 
 protected:
     void build() override;

@@ -97,8 +97,8 @@ void JudgedRunView::drawTrace(QCPAxisRect &rect, int axis) const
         addHorizontal(rect, *m_data.limitDps, referencePen(look()));
         addHorizontal(rect, -*m_data.limitDps, referencePen(look()));
     }
-    addLine(rect, before.key, before.mean, rolePen(Role::Raw, look()));
-    addLine(rect, after.key, after.mean, rolePen(Role::Compensated, look()));
+    addLine(rect, before.key, before.mean, rolePen(Role::Raw, look()), tr("Before"));
+    addLine(rect, after.key, after.mean, rolePen(Role::Compensated, look()), tr("After"));
     (new PanelNotes(&rect, look()))
         ->setName(QString::fromUtf8(kAxisNames[static_cast<std::size_t>(axis)].data()));
 }
@@ -155,8 +155,8 @@ void JudgedRunView::drawAllan(QCPAxisRect &rect, int axis) const
     left.setLabel(axis == 0 ? tr("σ(τ) (dps)") : QString());
     const Deviations before = deviationsOf(m_data.traces->allanBefore, axis);
     const Deviations after = deviationsOf(m_data.traces->allanAfter, axis);
-    addLine(rect, before.tauS, before.dps, rolePen(Role::Raw, look()));
-    addLine(rect, after.tauS, after.dps, rolePen(Role::Compensated, look()));
+    addLine(rect, before.tauS, before.dps, rolePen(Role::Raw, look()), tr("Before"));
+    addLine(rect, after.tauS, after.dps, rolePen(Role::Compensated, look()), tr("After"));
     (new PanelNotes(&rect, look()))
         ->setNote(tr("lowest %1 before, %2 dps after")
                       .arg(deviationText(before.lowest), deviationText(after.lowest)));

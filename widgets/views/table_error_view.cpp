@@ -56,7 +56,7 @@ void TableErrorView::drawAxis(QCPAxisRect &rect, int axis) const
         addHorizontal(rect, m_limitMdps, referencePen(look()));
     const bool compensated = m_data->table.compensated[static_cast<std::size_t>(axis)];
     if (compensated)
-        addDots(rect, temperature, error, look().compensated, 2.0);
+        addDots(rect, temperature, error, look().compensated, 2.0, tr("Worst in each cell"));
     auto *notes = new PanelNotes(&rect, look());
     notes->setName(QString::fromUtf8(kAxisNames[static_cast<std::size_t>(axis)].data()));
     notes->setNote(compensated ? tr("worst %1 mdps").arg(numberText(worst, 2)) : tr("no table"));
@@ -159,7 +159,7 @@ void TableDifferenceView::build()
     for (int axis = 0; axis < kAxisCount; ++axis) {
         const Eigen::VectorXd column = difference.col(axis);
         addLine(rect, keys, QVector<double>(column.data(), column.data() + column.size()),
-                axisPen(axis, look()));
+                axisPen(axis, look()), QString::fromUtf8(kAxisNames[static_cast<std::size_t>(axis)].data()));
     }
 }
 

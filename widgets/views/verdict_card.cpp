@@ -3,6 +3,7 @@
 #include "engine/base/axes.h"
 #include "widgets/controls/state_word.h"
 #include "widgets/style/number_text.h"
+#include "widgets/style/role_pens.h"
 #include "widgets/style/theme.h"
 
 #include <QEvent>
@@ -148,7 +149,10 @@ static QString figures(const AxisFinding &finding)
         if (std::isfinite(run.constantDps))
             constant.push_back(run.constantDps);
     }
-    QString text = VerdictCard::tr("It leaves %1 dps rms").arg(listed(left, decimals));
+    QString text = finding.model.starts_with("rbf") || finding.model.empty()
+                       ? VerdictCard::tr("It leaves %1 dps rms").arg(listed(left, decimals))
+                       : VerdictCard::tr("With the %1 it leaves %2 dps rms")
+                             .arg(modelLabel(finding.model), listed(left, decimals));
     if (finding.limitDps && finding.passing() < finding.runs.size())
         text += VerdictCard::tr(", over the limit of %1").arg(numberText(*finding.limitDps, 3));
     const QString gain = gainText(finding);
