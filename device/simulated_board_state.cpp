@@ -16,6 +16,8 @@ bridge_identity identityOf(const SimulatedBoardOptions &options)
     bridge_identity identity{};
     identity.firmware[0] = 1;
     identity.capabilities = BRIDGE_CAN_FIXED | BRIDGE_CAN_FLOAT;
+    if (options.ringReports >= 2)
+        identity.capabilities |= BRIDGE_CAN_PAIR;
     if (options.externalThermometer)
         identity.capabilities |= BRIDGE_CAN_EXTERNAL;
     const SensorIdentity &sensor = options.simulation.sensor;

@@ -2,11 +2,14 @@
 
 namespace driftbench {
 
-SimulatedClock::SimulatedClock(double speed) : m_speed(speed), m_startS(SteadyClock().nowS()) {}
+SimulatedClock::SimulatedClock(double speed, double startS)
+    : m_speed(speed), m_startS(startS), m_steadyStartS(SteadyClock().nowS()), m_nowS(startS)
+{
+}
 
 double SimulatedClock::nowS() const
 {
-    return runsByItself() ? (SteadyClock().nowS() - m_startS) * m_speed : m_nowS.load();
+    return runsByItself() ? m_startS + (SteadyClock().nowS() - m_steadyStartS) * m_speed : m_nowS.load();
 }
 
 void SimulatedClock::waitS(double durationS)

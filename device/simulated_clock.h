@@ -11,7 +11,8 @@ namespace driftbench {
 class SimulatedClock final : public HostClock
 {
 public:
-    explicit SimulatedClock(double speed);
+    // startS: what it shows at first.
+    explicit SimulatedClock(double speed, double startS = 0.0);
 
     double nowS() const override;
     void waitS(double durationS) override; // with speed 0 time is moved on instead
@@ -23,7 +24,8 @@ public:
 private:
     double m_speed;
     double m_startS;
-    std::atomic<double> m_nowS = 0.0;
+    double m_steadyStartS;
+    std::atomic<double> m_nowS; // with speed 0
 };
 
 } // namespace driftbench

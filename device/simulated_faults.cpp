@@ -1,5 +1,7 @@
 #include "device/simulated_faults.h"
 
+#include "device/firmware/bridge_bytes.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -35,10 +37,20 @@ bool SimulatedFaults::isStalled(double nowS)
 bool SimulatedFaults::passes(BridgeReport &report)
 {
     const std::int64_t number = m_reports++;
+    if (m_compensationError != 0 && (report[BRIDGE_SAMPLES_FLAGS] & BRIDGE_FLAG_COMPENSATED) != 0)
+        miscompensate(report);
     if (m_damaged.holds(number))
         report[BRIDGE_SAMPLES_COUNT] = 0xFF;
     return std::none_of(m_lost.begin(), m_lost.end(),
                         [number](const Span &span) { return span.holds(number); });
+}
+
+void SimulatedFaults::miscompensate(BridgeReport &report) const
+{
+    for (std::size_t i = 0; i < report[BRIDGE_SAMPLES_COUNT]; ++i) {
+        std::uint8_t *x = &report[BRIDGE_SAMPLES_RATES + i * BRIDGE_SAMPLE_SIZE];
+        bridge_put_u16(x, static_cast<std::uint16_t>(bridge_get_i16(x) + m_compensationError));
+    }
 }
 
 std::optional<std::uint8_t> SimulatedFaults::refusal(std::uint8_t command)

@@ -26,6 +26,7 @@ public:
     {
         m_damaged = {m_reports + first, m_reports + first + count};
     }
+    void compensateWrongly(int counts) { m_compensationError = counts; } // so much more on x, from now on
     void unplugAtReport(std::int64_t report) { m_unplugAtReport = m_reports + report; } // instead of it
     void unplugAtExchange(std::int64_t exchange) // instead of this get or set
     {
@@ -49,6 +50,8 @@ public:
     void pretend(BridgeReport &answer) const;
 
 private:
+    void miscompensate(BridgeReport &report) const;
+
     struct Span
     {
         std::int64_t first = 0;
@@ -68,6 +71,7 @@ private:
     double m_stallS = 0.0;
     std::optional<double> m_stalledUntilS;
     Span m_damaged;
+    int m_compensationError = 0;
     std::optional<std::int64_t> m_unplugAtReport;
     std::optional<std::int64_t> m_unplugAtExchange;
     std::optional<Refusal> m_refusal;

@@ -9,8 +9,9 @@ namespace driftbench {
 namespace {
 
 // Shares of the way, by how long each takes: a chunk out, a chunk back.
-constexpr double kWritten = 0.5;
-constexpr double kReadBack = 0.95;
+constexpr double kWritten = 0.45;
+constexpr double kReadBack = 0.9;
+constexpr double kActivated = 0.92;
 
 Error cancelled()
 {
@@ -68,6 +69,26 @@ Status write(BridgeClient &client, std::span<const std::uint8_t> image, std::uin
     return {};
 }
 
+// The bank that is being written: empty for the status, and yet it gives bytes.
+Result<std::uint8_t> bankBeingWritten(BridgeClient &client)
+{
+    const auto status = client.status();
+    if (!status)
+        return status.error();
+    for (std::uint8_t bank = 0; bank < BRIDGE_BANKS; ++bank) {
+        if (status->activeBank == bank || status->banks[bank].state != BRIDGE_BANK_EMPTY)
+            continue;
+        const auto bytes = client.readBank(bank, 0, BRIDGE_READ_BYTES);
+        if (!bytes)
+            return bytes.error();
+        if (!bytes->empty())
+            return bank;
+    }
+    return Error{Errc::TableMismatch,
+                 "The device took the table, but no bank gives it back; the table in use "
+                 "has not changed, try again."};
+}
+
 // The bank that a commit has just made of this image: the youngest with its length and CRC.
 std::optional<std::uint8_t> committedBank(const BridgeStatus &status, std::uint32_t bytes, std::uint32_t crc)
 {
@@ -115,20 +136,87 @@ Result<TableUploadReport> finish(BridgeClient &client, TableUploadReport upload)
 }
 
 // What counts in the end is what the device says that it uses.
-Result<TableUploadReport> activate(BridgeClient &client, TableUploadReport upload, const ProgressHook &hook)
+Status activate(BridgeClient &client, const TableUploadReport &upload, const ProgressHook &hook)
 {
     if (report(hook, "activating the table", kReadBack) == Flow::Stop)
         return cancelled();
     if (const Status done = client.activateTable(upload.generation); !done)
-        return done.error();
-    upload.activated = true;
-    auto finished = finish(client, std::move(upload));
-    if (finished && finished->after.activeBank != finished->bank)
+        return done;
+    const auto status = client.status();
+    if (!status)
+        return status.error();
+    if (status->activeBank != upload.bank)
         return Error{Errc::TableMismatch,
                      "The device was told to use the new table and uses another; read its "
                      "status with driftbench-cli device info."};
-    report(hook, "activating the table", 1.0);
-    return finished;
+    return {};
+}
+
+Error notCompared(const Error &why)
+{
+    return {why.code, why.message +
+                          " The new table is in use, but its compensation was not compared: read the "
+                          "device's status, and roll the table back if in doubt."};
+}
+
+// The table is in use by now: it stays only if it does what the host would do.
+Result<TableUploadReport> proveAtWork(BridgeClient &client, std::span<const std::uint8_t> image,
+                                      TableUploadReport upload, const CompensationCheckOptions &options,
+                                      const ProgressHook &hook)
+{
+    const auto decoded = decodeDeviceImage(image, "the table");
+    if (!decoded)
+        return decoded.error();
+    const auto check = checkCompensation(client, *decoded, options, [&](const Progress &progress) {
+        return report(hook, progress.stage, kActivated + (1.0 - kActivated) * progress.fraction);
+    });
+    if (check && check->passed()) {
+        upload.check = *check;
+        return upload;
+    }
+    if (!check && check.error().code == Errc::DeviceUnplugged)
+        return notCompared(check.error());
+    if (const Status undone = client.rollBackTable(upload.generation); !undone)
+        return notCompared(undone.error());
+    if (!check)
+        return check.error().code == Errc::Cancelled
+                   ? cancelled()
+                   : Error{check.error().code, check.error().message + " The new table was rolled back."};
+    upload.check = *check;
+    upload.activated = false;
+    upload.rolledBack = true;
+    return upload;
+}
+
+Result<std::uint8_t> writeAndReadBack(BridgeClient &client, std::span<const std::uint8_t> image,
+                                      std::uint16_t transaction, const ProgressHook &hook)
+{
+    if (const Status done = write(client, image, transaction, hook); !done)
+        return done.error();
+    const auto bank = bankBeingWritten(client);
+    if (!bank)
+        return bank.error();
+    if (const Status same = compare(client, image, *bank, hook); !same)
+        return same.error();
+    return bank;
+}
+
+// The generation that the bank has now.
+Result<std::uint32_t> verifyAndCommit(BridgeClient &client, std::uint16_t transaction,
+                                      const TableUploadReport &upload)
+{
+    if (const Status done = client.verifyTable(transaction); !done)
+        return done.error();
+    if (const Status done = client.commitTable(transaction); !done)
+        return done.error();
+    const auto status = client.status();
+    if (!status)
+        return status.error();
+    if (committedBank(*status, upload.bytes, upload.crc) != upload.bank)
+        return Error{Errc::TableMismatch,
+                     "The device says that it committed the table, but the bank does not hold it; the "
+                     "table in use has not changed, try again."};
+    return status->banks[upload.bank].generation;
 }
 
 } // namespace
@@ -147,25 +235,28 @@ Result<TableUploadReport> uploadTable(BridgeClient &client, std::span<const std:
     const std::uint16_t transaction = transactionOf(upload.crc, *before);
     if (const Status done = client.beginTable(transaction, upload.bytes, upload.crc); !done)
         return done.error();
-    if (const Status done = write(client, image, transaction, hook); !done)
-        return done.error();
-    if (const Status done = client.verifyTable(transaction); !done)
-        return done.error();
-    if (const Status done = client.commitTable(transaction); !done)
-        return done.error();
-    const auto committed = client.status();
-    if (!committed)
-        return committed.error();
-    const auto bank = committedBank(*committed, upload.bytes, upload.crc);
+    const auto bank = writeAndReadBack(client, image, transaction, hook);
     if (!bank)
-        return Error{Errc::TableMismatch,
-                     "The device says that it committed the table, but no bank holds it; the "
-                     "table in use has not changed, try again."};
+        return bank.error();
     upload.bank = *bank;
-    upload.generation = committed->banks[*bank].generation;
-    if (const Status same = compare(client, image, upload.bank, hook); !same)
-        return same.error();
-    return options.activate ? activate(client, std::move(upload), hook) : finish(client, std::move(upload));
+    const auto generation = verifyAndCommit(client, transaction, upload);
+    if (!generation)
+        return generation.error();
+    upload.generation = *generation;
+    if (options.activate) {
+        if (const Status done = activate(client, upload, hook); !done)
+            return done.error();
+        upload.activated = true;
+        if (options.check && client.info().can(BRIDGE_CAN_PAIR)) {
+            auto proven = proveAtWork(client, image, std::move(upload), options.checkOptions, hook);
+            if (!proven)
+                return proven.error();
+            upload = *std::move(proven);
+        }
+    }
+    auto finished = finish(client, std::move(upload));
+    report(hook, "uploading the table", 1.0);
+    return finished;
 }
 
 Result<TableRollbackReport> rollBackTable(BridgeClient &client)

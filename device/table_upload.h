@@ -1,14 +1,22 @@
 // A compensation table on its way into a native gyro bridge, and back out of it: written into the spare bank,
-// verified by the device's own CRC, committed, read back, compared, activated. The table in use stays in use
-// until the moment of activation; whatever is cut off before it leaves the device with the old one. The bank
-// is read back once it is committed, because only then does the status tell which one it is.
+// read back, compared, verified by the device's own CRC, committed, activated, and then watched at work: the
+// device streams samples that it compensated, which the host compares with its own compensation of the same
+// raw samples (compensation_check.h).
+//
+// The table in use stays in use until the moment of activation; whatever is cut off before it leaves the
+// device with the old one. A table whose compensation differs, or of which too little could be compared, is
+// rolled back at once: the report says so. Only a link that breaks between activation and comparison leaves a
+// table in use that was not compared, and the error says so. A device that can't pair is not compared, and
+// the report says that as well.
 //
 // Errors, beside those of the transport: WrongSensor where image and device name different sensors,
 // ModelDamaged for bytes that are no image, DeviceRefused where the device can't take this kind or length,
-// TableMismatch where what was read back differs, Cancelled if the hook says Stop (the old table is in use).
+// TableMismatch where what was read back differs, Cancelled if the hook says Stop (the old table is in use:
+// a new one that was active already is rolled back).
 #pragma once
 
 #include "device/bridge/bridge_client.h"
+#include "device/compensation_check.h"
 #include "engine/base/progress.h"
 #include "engine/base/result.h"
 
@@ -22,6 +30,8 @@ namespace driftbench {
 struct TableUploadOptions
 {
     bool activate = true; // else the bank is left committed, to be activated later
+    bool check = true;    // the compensation, once the table is active
+    CompensationCheckOptions checkOptions{};
 };
 
 // What was on the device before and after: the two banks and which is in use.
@@ -33,7 +43,10 @@ struct TableUploadReport
     std::uint32_t generation = 0;
     std::uint32_t bytes = 0;
     std::uint32_t crc = 0;
-    bool activated = false;
+    bool activated = false; // and still in use
+    std::optional<CompensationCheck>
+        check{};             // nothing: not asked for, not activated, or the device can't pair
+    bool rolledBack = false; // because the check did not pass
 };
 
 Result<TableUploadReport> uploadTable(BridgeClient &client, std::span<const std::uint8_t> image,

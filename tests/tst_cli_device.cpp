@@ -86,7 +86,7 @@ void TestCliDevice::upload_model_isInUseForTheNextCommand()
 {
     const Outcome upload = device({"upload", "--model", path("first.json")}, "one.bin");
     QVERIFY2(upload.exitCode == 0, upload.errors.constData());
-    QVERIFY(upload.output.contains("is in use now"));
+    QVERIFY(upload.output.contains("is in use now") && upload.output.contains("all equal"));
     const Json banks = parsed(device({"info", "--json"}, "one.bin"))["banks"];
     QCOMPARE(int(banks[0]["in_use"].get<bool>()) + int(banks[1]["in_use"].get<bool>()), 1);
     const Outcome read = device({"read-table"}, "one.bin");
@@ -100,6 +100,11 @@ void TestCliDevice::upload_secondModel_rollbackBringsTheFirstBack()
     const Json second =
         parsed(device({"upload", "--json", "--kind", "float", "--model", path("second.json")}, "two.bin"));
     QVERIFY(second["activated"].get<bool>() && second["generation"] > first["generation"]);
+    for (const Json &check : {first["check"], second["check"]}) {
+        QVERIFY(check["passed"].get<bool>() && check["samples"].get<int>() >= check["wanted"].get<int>());
+        QCOMPARE(check["worst_counts"].get<int>(), 0);
+    }
+    QVERIFY(!second["rolled_back"].get<bool>());
     const Json rollback = parsed(device({"rollback", "--json"}, "two.bin"));
     const auto bank = first["bank"].get<std::size_t>();
     QVERIFY(rollback["after"][bank]["in_use"].get<bool>());

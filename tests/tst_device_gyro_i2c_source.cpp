@@ -117,7 +117,7 @@ struct Bench
     }
 
     std::unique_ptr<Bridge> bridge;
-    SimClock *clock;
+    SimulatedClock *clock;
     GyroModel gyro;
     Tmp117Model tmp117;
 };

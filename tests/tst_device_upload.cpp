@@ -24,6 +24,7 @@ private slots:
     void uploadTable_unpluggedAtEveryExchange_oldOrNewWhole();
     void uploadTable_powerCutAtEveryFlashOperation_oldOrNewWhole_data();
     void uploadTable_powerCutAtEveryFlashOperation_oldOrNewWhole();
+    void uploadTable_otherBytesInTheBank_areFoundBeforeCommit();
     void rollBackTable_afterTwoUploads_bringsTheFirstBack();
     void rollBackTable_noTable_isRefused();
     void readTable_bank_isItsImage();
@@ -32,6 +33,15 @@ private slots:
 namespace {
 
 constexpr int kKnots = 12;
+
+// What the comparison is worth is shown by tst_device_compensation_check; here it is cut, too.
+TableUploadOptions quick(bool activate = true)
+{
+    TableUploadOptions options;
+    options.activate = activate;
+    options.checkOptions = {21, 1000.0, 0.5};
+    return options;
+}
 
 struct Bench
 {
@@ -45,7 +55,7 @@ struct Bench
     {
         Bench bench;
         BridgeClient client = connectTo(bench.board);
-        if (!uploadTable(client, bench.oldImage))
+        if (!uploadTable(client, bench.oldImage, quick()))
             qFatal("the first table could not be uploaded");
         return bench;
     }
@@ -68,6 +78,31 @@ struct Bench
     }
 };
 
+// A link on which one bit of what is read back flips.
+class FlippingTransport final : public HidTransport
+{
+public:
+    explicit FlippingTransport(std::unique_ptr<HidTransport> below) : m_below(std::move(below)) {}
+
+    const HidIdentity &identity() const override { return m_below->identity(); }
+    Result<std::size_t> read(std::span<std::uint8_t> report, std::chrono::milliseconds timeout) override
+    {
+        return m_below->read(report, timeout);
+    }
+    Status write(std::span<const std::uint8_t> report) override { return m_below->write(report); }
+    Result<std::size_t> getFeature(std::span<std::uint8_t> report) override
+    {
+        const auto length = m_below->getFeature(report);
+        if (report[0] == BRIDGE_REPORT_READ && report[BRIDGE_READ_OFFSET] == BRIDGE_READ_BYTES)
+            report[BRIDGE_READ_DATA + 9] ^= 4;
+        return length;
+    }
+    Status sendFeature(std::span<const std::uint8_t> report) override { return m_below->sendFeature(report); }
+
+private:
+    std::unique_ptr<HidTransport> m_below;
+};
+
 } // namespace
 
 void TestDeviceUpload::uploadTable_firstTable_isInUseAndReadsBack()
@@ -76,7 +111,7 @@ void TestDeviceUpload::uploadTable_firstTable_isInUseAndReadsBack()
     BridgeClient client = connectTo(bench.board);
     QVERIFY(!readTable(client)->has_value());
     double last = 0.0;
-    const auto upload = uploadTable(client, bench.newImage, {}, [&last](const Progress &progress) {
+    const auto upload = uploadTable(client, bench.newImage, quick(), [&last](const Progress &progress) {
         if (progress.fraction < last)
             qFatal("progress goes back");
         last = progress.fraction;
@@ -85,6 +120,7 @@ void TestDeviceUpload::uploadTable_firstTable_isInUseAndReadsBack()
     QVERIFY(upload.ok());
     QCOMPARE(last, 1.0);
     QVERIFY(upload->activated && !upload->before.activeBank);
+    QVERIFY(upload->check && upload->check->passed() && !upload->rolledBack);
     QCOMPARE(*upload->after.activeBank, upload->bank);
     QCOMPARE(upload->after.banks[upload->bank].generation, upload->generation);
     QCOMPARE(upload->crc, deviceImageCrc(bench.newImage));
@@ -95,7 +131,7 @@ void TestDeviceUpload::uploadTable_withoutActivation_leavesTheOldInUse()
 {
     Bench bench = Bench::prepared();
     BridgeClient client = connectTo(bench.board);
-    const auto upload = uploadTable(client, bench.newImage, {false});
+    const auto upload = uploadTable(client, bench.newImage, quick(false));
     QVERIFY(upload.ok());
     QVERIFY(!upload->activated);
     QCOMPARE(upload->after.banks[upload->bank].state, std::uint8_t(BRIDGE_BANK_COMMITTED));
@@ -148,7 +184,7 @@ void TestDeviceUpload::uploadTable_cancelledAnywhere_leavesTheOldInUse()
     for (int stopAt = 0;; ++stopAt) {
         BridgeClient client = connectTo(bench.board);
         int reports = 0;
-        const auto upload = uploadTable(client, bench.newImage, {}, [&](const Progress &) {
+        const auto upload = uploadTable(client, bench.newImage, quick(), [&](const Progress &) {
             return reports++ == stopAt ? Flow::Stop : Flow::Continue;
         });
         if (upload) {
@@ -171,7 +207,7 @@ void TestDeviceUpload::uploadTable_unpluggedAtEveryExchange_oldOrNewWhole()
         Bench bench = Bench::prepared();
         BridgeClient client = connectTo(bench.board);
         bench.board->inject([&](SimulatedFaults &faults) { faults.unplugAtExchange(cuts); });
-        const auto upload = uploadTable(client, bench.newImage);
+        const auto upload = uploadTable(client, bench.newImage, quick());
         if (upload)
             break;
         QCOMPARE(upload.error().code, Errc::DeviceUnplugged);
@@ -179,7 +215,7 @@ void TestDeviceUpload::uploadTable_unpluggedAtEveryExchange_oldOrNewWhole()
         QVERIFY2(bench.oldOrNewWhole(), qPrintable(QString("cut at exchange %1").arg(cuts)));
         withNew += bench.inUse() == bench.newImage;
         BridgeClient again = connectTo(bench.board);
-        QVERIFY(uploadTable(again, bench.newImage).ok());
+        QVERIFY(uploadTable(again, bench.newImage, quick()).ok());
         QCOMPARE(bench.inUse(), bench.newImage);
     }
     qInfo("%d exchanges, each cut once; after %d of the cuts the new table was in use", cuts, withNew);
@@ -203,25 +239,38 @@ void TestDeviceUpload::uploadTable_powerCutAtEveryFlashOperation_oldOrNewWhole()
         BridgeClient client = connectTo(bench.board);
         const int operations = bench.board->flashOperations();
         bench.board->cutPowerAt(cuts, static_cast<PowerCut>(how), 17 + static_cast<std::uint64_t>(cuts));
-        const auto upload = uploadTable(client, bench.newImage);
+        const auto upload = uploadTable(client, bench.newImage, quick());
         if (upload && bench.board->flashOperations() - operations <= cuts)
             break;
         if (!bench.board->pluggedIn())
             bench.board->plugIn();
         QVERIFY2(bench.oldOrNewWhole(), qPrintable(QString("cut at operation %1").arg(cuts)));
         BridgeClient again = connectTo(bench.board);
-        QVERIFY(uploadTable(again, bench.newImage).ok());
+        QVERIFY(uploadTable(again, bench.newImage, quick()).ok());
         QCOMPARE(bench.inUse(), bench.newImage);
     }
     qInfo("%d flash operations, each cut once", cuts);
     QVERIFY(cuts > 20);
 }
 
+void TestDeviceUpload::uploadTable_otherBytesInTheBank_areFoundBeforeCommit()
+{
+    Bench bench = Bench::prepared();
+    auto link = std::make_unique<FlippingTransport>(*SimulatedBridge::open(bench.board));
+    BridgeClient client = *BridgeClient::open(std::move(link), bench.board->clock());
+    const auto upload = uploadTable(client, bench.newImage, quick());
+    QCOMPARE(upload.error().code, Errc::TableMismatch);
+    QVERIFY(upload.error().message.find("Byte 65 ") != std::string::npos);
+    const auto status = client.status();
+    QCOMPARE(status->banks[1U - *status->activeBank].state, std::uint8_t(BRIDGE_BANK_EMPTY));
+    QCOMPARE(bench.inUse(), bench.oldImage);
+}
+
 void TestDeviceUpload::rollBackTable_afterTwoUploads_bringsTheFirstBack()
 {
     Bench bench = Bench::prepared();
     BridgeClient client = connectTo(bench.board);
-    QVERIFY(uploadTable(client, bench.newImage).ok());
+    QVERIFY(uploadTable(client, bench.newImage, quick()).ok());
     const auto report = rollBackTable(client);
     QVERIFY(report.ok());
     QVERIFY(report->before.activeBank != report->after.activeBank);
@@ -241,7 +290,7 @@ void TestDeviceUpload::readTable_bank_isItsImage()
 {
     Bench bench = Bench::prepared();
     BridgeClient client = connectTo(bench.board);
-    const auto upload = uploadTable(client, bench.newImage, {false});
+    const auto upload = uploadTable(client, bench.newImage, quick(false));
     QCOMPARE(readTable(client, upload->bank)->value(), bench.newImage);
     QCOMPARE(readTable(client, static_cast<std::uint8_t>(1 - upload->bank))->value(), bench.oldImage);
     QCOMPARE(readTable(client, std::uint8_t{2}).error().code, Errc::InvalidOption);

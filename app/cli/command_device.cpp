@@ -1,14 +1,12 @@
 #include "app/cli/cli_io.h"
 #include "app/cli/command.h"
-#include "app/cli/device_choice.h"
+#include "app/cli/device_part.h"
 #include "app/cli/device_text.h"
 #include "app/cli/progress_line.h"
 #include "device/table_upload.h"
 #include "engine/base/atomic_file.h"
 #include "engine/base/text.h"
-#include "engine/compensation/axis_selection.h"
 #include "engine/exports/device_image.h"
-#include "engine/models/model_file.h"
 
 #include <cmath>
 #include <memory>
@@ -19,12 +17,6 @@ namespace driftbench::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-struct DeviceArguments
-{
-    DeviceChoice choice;
-    bool json = false;
-};
 
 // info ---------------------------------------------------------------------------------------------------
 
@@ -93,89 +85,6 @@ Status configure(const ConfigureArguments &arguments)
     return showFacts(client, arguments.device.json);
 }
 
-// upload -------------------------------------------------------------------------------------------------
-
-struct UploadArguments
-{
-    DeviceArguments device;
-    std::string model;
-    std::string axes;
-    std::string kind = "fixed";
-    std::string thermometer;
-    std::optional<double> boundDps;
-    bool force = false;
-    bool commitOnly = false;
-};
-
-Result<DeviceTableKind> kindNamed(const std::string &name)
-{
-    if (name == "fixed")
-        return DeviceTableKind::FixedPoint;
-    if (name == "float")
-        return DeviceTableKind::Float;
-    return Error{Errc::InvalidOption, "There is no kind of table \"" + name + "\"; say fixed or float."};
-}
-
-// Unless named: the external one, with which a log's temperature was measured, where the device has it.
-Result<DeviceThermometer> thermometerNamed(const std::string &name, const BridgeInfo &info)
-{
-    if (name.empty())
-        return info.can(BRIDGE_CAN_EXTERNAL) ? DeviceThermometer::External : DeviceThermometer::Die;
-    if (name == "die")
-        return DeviceThermometer::Die;
-    if (name == "external")
-        return DeviceThermometer::External;
-    return Error{Errc::InvalidOption, "There is no thermometer \"" + name + "\"; say die or external."};
-}
-
-Result<CompensationTable> tableOf(const UploadArguments &arguments)
-{
-    const auto model = loadModel(arguments.model);
-    if (!model)
-        return model.error();
-    std::optional<std::array<bool, 3>> wanted;
-    if (!arguments.axes.empty()) {
-        const auto axes = axesNamed(arguments.axes);
-        if (!axes)
-            return axes.error();
-        wanted = *axes;
-    }
-    const auto selection = selectAxes(*model, wanted, arguments.force);
-    if (!selection)
-        return selection.error();
-    for (const std::string &note : selection->notes)
-        printNotice(note);
-    TableOptions options;
-    options.maxInterpolationErrorDps = arguments.boundDps;
-    return makeCompensationTable(*model, selection->compensated, options);
-}
-
-Status upload(const UploadArguments &arguments)
-{
-    const auto kind = kindNamed(arguments.kind);
-    if (!kind)
-        return kind.error();
-    const auto table = tableOf(arguments);
-    if (!table)
-        return table.error();
-    auto device = connectDevice(arguments.device.choice);
-    if (!device)
-        return device.error();
-    const auto thermometer = thermometerNamed(arguments.thermometer, device->client->info());
-    if (!thermometer)
-        return thermometer.error();
-    const auto image = encodeDeviceImage(*table, *kind, *thermometer);
-    if (!image)
-        return image.error();
-    const auto done = [&] {
-        ProgressLine progress;
-        return uploadTable(*device->client, *image, {!arguments.commitOnly}, progress.hook());
-    }();
-    if (!done)
-        return done.error();
-    return arguments.device.json ? printJson(uploadAsJson(*done)) : printResult(uploadAsText(*done));
-}
-
 // read-table, rollback -----------------------------------------------------------------------------------
 
 struct ReadArguments
@@ -234,20 +143,12 @@ Status rollBack(const DeviceArguments &arguments)
 
 // The commands -------------------------------------------------------------------------------------------
 
-CLI::App *addPart(CLI::App &device, const std::string &name, const std::string &description,
-                  const std::string &example, DeviceArguments &arguments)
-{
-    CLI::App *part = addCommand(device, name, description, "driftbench-cli device " + example);
-    addDeviceOptions(*part, arguments.choice);
-    return part;
-}
-
 void addInfo(CLI::App &device, Invocation &invocation)
 {
     const auto arguments = std::make_shared<DeviceArguments>();
     CLI::App *part =
-        addPart(device, "info", "Prints what the device is, how it is set and which tables it holds.",
-                "info --flash bridge.bin", *arguments);
+        addDevicePart(device, "info", "Prints what the device is, how it is set and which tables it holds.",
+                      "info --flash bridge.bin", *arguments);
     addJsonOption(*part, arguments->json);
     part->callback([arguments, &invocation] {
         invocation.run = [arguments]() -> Status {
@@ -261,8 +162,8 @@ void addConfigure(CLI::App &device, Invocation &invocation)
 {
     const auto arguments = std::make_shared<ConfigureArguments>();
     CLI::App *part =
-        addPart(device, "configure", "Sets sampling rate, range and compensation; prints the result.",
-                "configure --rate 1000 --range 245", arguments->device);
+        addDevicePart(device, "configure", "Sets sampling rate, range and compensation; prints the result.",
+                      "configure --rate 1000 --range 245", arguments->device);
     part->add_option("--rate", arguments->rateHz, "Samples per second")->type_name("HZ");
     part->add_option("--range", arguments->rangeDps, "Full scale in dps")->type_name("DPS");
     part->add_option("--compensate", arguments->compensate,
@@ -273,37 +174,12 @@ void addConfigure(CLI::App &device, Invocation &invocation)
         [arguments, &invocation] { invocation.run = [arguments] { return configure(*arguments); }; });
 }
 
-void addUpload(CLI::App &device, Invocation &invocation)
-{
-    const auto arguments = std::make_shared<UploadArguments>();
-    CLI::App *part =
-        addPart(device, "upload",
-                "Writes a model's table into the device, reads it back, compares, and puts it into "
-                "use. The table that was there stays until then, and can be had back by rollback.",
-                "upload --model fit/models/rbf.json --flash bridge.bin", arguments->device);
-    part->add_option("--model", arguments->model, "Model file that fit wrote")->required()->type_name("FILE");
-    part->add_option("--kind", arguments->kind, "fixed (default) or float: how the device computes")
-        ->type_name("NAME");
-    part->add_option("--thermometer", arguments->thermometer,
-                     "die or external: the one that the model's temperature is of (default: external, if the "
-                     "device has one)")
-        ->type_name("NAME");
-    part->add_option("--axes", arguments->axes,
-                     "Only these axes, like x,y (default: all whose verdict is yes)")
-        ->type_name("AXES");
-    part->add_flag("--force", arguments->force, "Also axes whose verdict is not yes");
-    part->add_option("--bound", arguments->boundDps, "Largest interpolation error in dps (default 0.001)")
-        ->type_name("DPS");
-    part->add_flag("--no-activate", arguments->commitOnly, "Leave the table that is in use in use");
-    addJsonOption(*part, arguments->device.json);
-    part->callback([arguments, &invocation] { invocation.run = [arguments] { return upload(*arguments); }; });
-}
-
 void addReadTable(CLI::App &device, Invocation &invocation)
 {
     const auto arguments = std::make_shared<ReadArguments>();
-    CLI::App *part = addPart(device, "read-table", "Reads a table out of the device and says what it is.",
-                             "read-table --flash bridge.bin --out table.bin", arguments->device);
+    CLI::App *part =
+        addDevicePart(device, "read-table", "Reads a table out of the device and says what it is.",
+                      "read-table --flash bridge.bin --out table.bin", arguments->device);
     part->add_option("--bank", arguments->bank, "0 or 1 (default: the one in use)")->type_name("N");
     part->add_option("--out", arguments->out, "Keep the bytes in this file")->type_name("FILE");
     part->callback([arguments, &invocation] { invocation.run = [arguments] { return readIt(*arguments); }; });
@@ -312,14 +188,23 @@ void addReadTable(CLI::App &device, Invocation &invocation)
 void addRollback(CLI::App &device, Invocation &invocation)
 {
     const auto arguments = std::make_shared<DeviceArguments>();
-    CLI::App *part = addPart(device, "rollback", "Revokes the table in use; the one before it takes over.",
-                             "rollback --flash bridge.bin", *arguments);
+    CLI::App *part =
+        addDevicePart(device, "rollback", "Revokes the table in use; the one before it takes over.",
+                      "rollback --flash bridge.bin", *arguments);
     addJsonOption(*part, arguments->json);
     part->callback(
         [arguments, &invocation] { invocation.run = [arguments] { return rollBack(*arguments); }; });
 }
 
 } // namespace
+
+CLI::App *addDevicePart(CLI::App &device, const std::string &name, const std::string &description,
+                        const std::string &example, DeviceArguments &arguments)
+{
+    CLI::App *part = addCommand(device, name, description, "driftbench-cli device " + example);
+    addDeviceOptions(*part, arguments.choice);
+    return part;
+}
 
 void addDeviceCommand(CLI::App &program, Invocation &invocation)
 {
@@ -330,7 +215,7 @@ void addDeviceCommand(CLI::App &program, Invocation &invocation)
     device->require_subcommand(1);
     addInfo(*device, invocation);
     addConfigure(*device, invocation);
-    addUpload(*device, invocation);
+    addDeviceUpload(*device, invocation);
     addReadTable(*device, invocation);
     addRollback(*device, invocation);
 }

@@ -136,13 +136,54 @@ Json factsAsJson(const DeviceFacts &facts)
             {"banks", banksAsJson(facts.status)}};
 }
 
+namespace {
+
+std::string checkText(const TableUploadReport &upload)
+{
+    if (!upload.check)
+        return upload.activated ? "Its compensation was not compared: the device can't send raw samples "
+                                  "beside compensated "
+                                  "ones.\n"
+                                : "";
+    const CompensationCheck &check = *upload.check;
+    if (check.samples == 0)
+        return "Nothing could be compared with the host's compensation: " +
+               (check.rawSamples > 0 ? "the device sent " + std::to_string(check.rawSamples) +
+                                           " samples raw, the table's thermometer is not read.\n"
+                                     : std::string("no samples came.\n"));
+    const std::string compared = std::to_string(check.samples) + " samples at " +
+                                 forReading(check.lowestC, 2) + " to " + forReading(check.highestC, 2) +
+                                 " °C, compared bit for bit with the host's compensation: ";
+    if (check.differing > 0)
+        return compared + std::to_string(check.differing) + " differ, by " +
+               std::to_string(check.worstCounts) + " counts (" + shortest(check.worstDps) +
+               " dps) at most.\n";
+    return compared + (check.passed() ? "all equal.\n"
+                                      : "all equal, but " + std::to_string(check.wanted) + " were wanted.\n");
+}
+
+Json checkAsJson(const TableUploadReport &upload)
+{
+    if (!upload.check)
+        return nullptr;
+    const CompensationCheck &check = *upload.check;
+    return {{"passed", check.passed()},     {"samples", check.samples},
+            {"wanted", check.wanted},       {"raw_samples", check.rawSamples},
+            {"differing", check.differing}, {"worst_counts", check.worstCounts},
+            {"worst_dps", check.worstDps},  {"lowest_c", check.lowestC},
+            {"highest_c", check.highestC}};
+}
+
+} // namespace
+
 std::string uploadAsText(const TableUploadReport &upload)
 {
-    const std::string outcome =
-        upload.activated ? "is in use now" : "is on the device and waits to be activated";
+    const std::string outcome = upload.activated    ? "is in use now"
+                                : upload.rolledBack ? "was rolled back"
+                                                    : "is on the device and waits to be activated";
     return "Before\n" + banksAsText(upload.before) + "After\n" + banksAsText(upload.after) + "The table of " +
            std::to_string(upload.bytes) + " bytes, generation " + std::to_string(upload.generation) +
-           ", reads back as written and " + outcome + ".\n";
+           ", reads back as written and " + outcome + ".\n" + checkText(upload);
 }
 
 Json uploadAsJson(const TableUploadReport &upload)
@@ -153,6 +194,8 @@ Json uploadAsJson(const TableUploadReport &upload)
             {"crc32", inHex(upload.crc)},
             {"verified", true}, // else there is no report
             {"activated", upload.activated},
+            {"rolled_back", upload.rolledBack},
+            {"check", checkAsJson(upload)},
             {"before", banksAsJson(upload.before)},
             {"after", banksAsJson(upload.after)}};
 }

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kQuietAfterS = 10.0;  // a saturation this long after the last one is told again
 constexpr double kLongestJitter = 1.5; // intervals that a sample may be late without a loss
+constexpr double kMostOffRate = 4.0;   // times that a device may sample faster or slower than it was told
 constexpr auto kMostInReport = static_cast<std::int64_t>(BRIDGE_SAMPLES_PER_REPORT);
 
 bool atLimit(std::int16_t counts)
@@ -75,8 +76,12 @@ double BridgeAssembler::elapsedS(const BridgeSamples &report, double startS) con
 
 double BridgeAssembler::intervalS() const
 {
-    return m_followedSamples > 0 ? m_followedS / static_cast<double>(m_followedSamples)
-                                 : 1.0 / m_assembly.sampleRateHz;
+    const double nominalS = 1.0 / m_assembly.sampleRateHz;
+    if (m_followedSamples == 0)
+        return nominalS;
+    // A clock that stands still or jumps must not make samples countless.
+    return std::clamp(m_followedS / static_cast<double>(m_followedSamples), nominalS / kMostOffRate,
+                      nominalS * kMostOffRate);
 }
 
 Flow BridgeAssembler::markLoss(const BridgeSamples &report, double startS)

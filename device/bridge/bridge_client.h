@@ -33,6 +33,7 @@ public:
 
     const BridgeInfo &info() const { return m_info; }
     HidTransport &transport() { return *m_transport; }
+    HostClock &clock() { return *m_clock; }
     const HidIdentity &identity() const { return m_transport->identity(); }
     std::string name() const; // "native bridge SIM-0001"
 

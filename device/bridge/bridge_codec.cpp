@@ -145,8 +145,11 @@ Result<BridgeConfig> decodeBridgeConfig(Bytes report)
     const auto compensate = flagAt(report, BRIDGE_CONFIG_COMPENSATE);
     if (!compensate)
         return compensate.error();
+    const auto pair = flagAt(report, BRIDGE_CONFIG_PAIR);
+    if (!pair)
+        return pair.error();
     return BridgeConfig{bridge_get_u32(&report[BRIDGE_CONFIG_RATE]), report[BRIDGE_CONFIG_RANGE], *stream,
-                        *compensate};
+                        *compensate, *pair};
 }
 
 Result<BridgeStatus> decodeBridgeStatus(Bytes report)
@@ -226,6 +229,7 @@ BridgeReport encodeBridgeConfig(const BridgeConfig &config)
     report[BRIDGE_CONFIG_RANGE] = config.range;
     report[BRIDGE_CONFIG_STREAM] = config.stream ? 1 : 0;
     report[BRIDGE_CONFIG_COMPENSATE] = config.compensate ? 1 : 0;
+    report[BRIDGE_CONFIG_PAIR] = config.pair ? 1 : 0;
     return report;
 }
 

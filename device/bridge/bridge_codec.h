@@ -56,6 +56,7 @@ struct BridgeConfig
     std::uint8_t range = 0; // index into BridgeInfo::ranges
     bool stream = false;
     bool compensate = false;
+    bool pair = false; // a raw twin after every compensated report; only with BRIDGE_CAN_PAIR
     bool operator==(const BridgeConfig &) const = default;
 };
 

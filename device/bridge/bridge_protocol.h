@@ -20,7 +20,7 @@
 #define BRIDGE_USAGE 0x0001u
 
 #define BRIDGE_PROTOCOL_MAJOR 1u /* another major: the two can't talk */
-#define BRIDGE_PROTOCOL_MINOR 0u /* a higher minor only adds */
+#define BRIDGE_PROTOCOL_MINOR 1u /* a higher minor only adds */
 
 #define BRIDGE_REPORT_SIZE 64u
 
@@ -57,6 +57,7 @@
 #define BRIDGE_FLAG_EXTERNAL_VALID 0x04u /* an external thermometer was read */
 #define BRIDGE_FLAG_DIE_VALID 0x08u      /* the thermometer on the die was read */
 #define BRIDGE_FLAG_OUTSIDE_TABLE 0x10u  /* compensated, and the temperature lies outside the table */
+#define BRIDGE_FLAG_TWIN 0x20u           /* the samples of the report before, as they were measured */
 
 /* Feature report 0x10: info ------------------------------------------------------------------------------ */
 
@@ -77,6 +78,7 @@
 #define BRIDGE_CAN_EXTERNAL 0x01u /* has an external thermometer */
 #define BRIDGE_CAN_FIXED 0x02u    /* takes fixed-point tables */
 #define BRIDGE_CAN_FLOAT 0x04u    /* takes float32 tables */
+#define BRIDGE_CAN_PAIR 0x08u     /* sends what it compensated as measured as well */
 
 /* Feature report 0x11: configuration --------------------------------------------------------------------- */
 
@@ -84,6 +86,7 @@
 #define BRIDGE_CONFIG_RANGE 5u      /* u8, index into the ranges of info */
 #define BRIDGE_CONFIG_STREAM 6u     /* u8, 1: send input reports */
 #define BRIDGE_CONFIG_COMPENSATE 7u /* u8, 1: take the active table off; refused without one */
+#define BRIDGE_CONFIG_PAIR 8u       /* u8, 1: a raw twin follows every compensated report */
 
 /* Feature report 0x12: status ---------------------------------------------------------------------------- */
 

@@ -65,6 +65,7 @@ Result<BridgeConfig> chosenConfig(const BridgeInfo &info, BridgeConfig config,
                                               "again."};
     config.stream = true;
     config.compensate = options.compensate;
+    config.pair = false;
     return config;
 }
 

@@ -11,6 +11,7 @@ static void apply_compensation(struct bridge_device *device)
     if (store->active == BRIDGE_NO_BANK)
         device->config.compensate = 0;
     bridge_stream_flush(stream);
+    stream->pair = device->config.pair != 0u;
     if (device->config.compensate != 0u) {
         bridge_compensator_start(&stream->compensator, store->flash, store->active,
                                  &store->banks[store->active].table,
@@ -29,6 +30,7 @@ void bridge_device_start(struct bridge_device *device, const struct bridge_ident
     device->config.range = 0;
     device->config.stream = 0;
     device->config.compensate = 1;
+    device->config.pair = 0;
     device->command = 0;
     device->result = BRIDGE_RESULT_OK;
     device->read.bank = 0;
@@ -42,12 +44,14 @@ void bridge_device_start(struct bridge_device *device, const struct bridge_ident
 static uint8_t set_config(struct bridge_device *device, const uint8_t *report)
 {
     const struct bridge_identity *identity = device->identity;
+    const bool can_pair = (identity->capabilities & BRIDGE_CAN_PAIR) != 0u;
     const struct bridge_config asked = {bridge_get_u32(report + BRIDGE_CONFIG_RATE),
                                         report[BRIDGE_CONFIG_RANGE], report[BRIDGE_CONFIG_STREAM],
-                                        report[BRIDGE_CONFIG_COMPENSATE]};
+                                        report[BRIDGE_CONFIG_COMPENSATE],
+                                        can_pair ? report[BRIDGE_CONFIG_PAIR] : (uint8_t)0};
     const struct bridge_config before = device->config;
     if (asked.rate_mhz < identity->min_rate_mhz || asked.rate_mhz > identity->max_rate_mhz ||
-        asked.range >= identity->ranges || asked.stream > 1u || asked.compensate > 1u)
+        asked.range >= identity->ranges || asked.stream > 1u || asked.compensate > 1u || asked.pair > 1u)
         return BRIDGE_RESULT_BAD_VALUE;
     if (asked.compensate == 1u && device->store.active == BRIDGE_NO_BANK)
         return BRIDGE_RESULT_NOTHING_THERE;
@@ -154,6 +158,7 @@ static void get_config(const struct bridge_device *device, uint8_t *report)
     report[BRIDGE_CONFIG_RANGE] = device->config.range;
     report[BRIDGE_CONFIG_STREAM] = device->config.stream;
     report[BRIDGE_CONFIG_COMPENSATE] = device->config.compensate;
+    report[BRIDGE_CONFIG_PAIR] = device->config.pair;
 }
 
 static void get_status(const struct bridge_device *device, uint8_t *report)

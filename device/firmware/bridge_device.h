@@ -43,6 +43,7 @@ struct bridge_config
     uint8_t range;
     uint8_t stream;
     uint8_t compensate;
+    uint8_t pair;
 };
 
 struct bridge_read_choice
@@ -64,7 +65,8 @@ struct bridge_device
 };
 
 /* Power-up: not streaming, the highest rate, the first range; compensating if there is an active table. All
- * that the pointers name must outlive the device. ring: room for ring_size reports, 1 or more. */
+ * that the pointers name must outlive the device. ring: room for ring_size reports, 1 or more; 2 or more with
+ * BRIDGE_CAN_PAIR. */
 void bridge_device_start(struct bridge_device *device, const struct bridge_identity *identity,
                          const struct bridge_flash *flash, bridge_report *ring, uint32_t ring_size);
 

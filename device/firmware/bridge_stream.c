@@ -10,6 +10,7 @@ void bridge_stream_start(struct bridge_stream *stream, bridge_report *ring, uint
     stream->sequence = 0;
     stream->produced = 0;
     stream->dropped = 0;
+    stream->pair = false;
     bridge_compensator_stop(&stream->compensator);
     bridge_stream_clear(stream);
 }
@@ -53,21 +54,29 @@ static void open_report(struct bridge_stream *stream, const struct bridge_sample
         bridge_put_u32(report + BRIDGE_SAMPLES_DIE_MILLIC, (uint32_t)sample->die_millic);
     if (sample->external_valid)
         bridge_put_u32(report + BRIDGE_SAMPLES_EXTERNAL_MILLIC, (uint32_t)sample->external_millic);
+    stream->raw_saturated = 0;
     stream->first_us = sample->time_us;
 }
 
 static void append(struct bridge_stream *stream, const struct bridge_sample *sample)
 {
-    uint8_t *at = stream->filling + BRIDGE_SAMPLES_RATES + stream->filled * BRIDGE_SAMPLE_SIZE;
+    const uint32_t place = stream->filled * BRIDGE_SAMPLE_SIZE;
+    uint8_t *at = stream->filling + BRIDGE_SAMPLES_RATES + place;
+    uint8_t *raw_at = stream->raw + place;
     bool at_limit = false;
+    bool raw_at_limit = false;
     uint32_t axis;
     for (axis = 0; axis < 3u; ++axis) {
         const int16_t counts =
             bridge_counts_taken_off(sample->counts[axis], stream->tde_counts[axis], &at_limit);
         bridge_put_u16(at + 2u * axis, (uint16_t)counts);
+        bridge_put_u16(raw_at + 2u * axis,
+                       (uint16_t)bridge_counts_taken_off(sample->counts[axis], 0, &raw_at_limit));
     }
     if (at_limit)
         stream->filling[BRIDGE_SAMPLES_SATURATED] |= (uint8_t)(1u << stream->filled);
+    if (raw_at_limit)
+        stream->raw_saturated |= (uint8_t)(1u << stream->filled);
     stream->last_us = sample->time_us;
     ++stream->filled;
 }
@@ -86,24 +95,45 @@ static uint32_t interval_ns(const struct bridge_stream *stream)
     return whole_us * 1000u + span_us % steps * 1000u / steps;
 }
 
+static void put_into_ring(struct bridge_stream *stream)
+{
+    bridge_put_u16(stream->filling + BRIDGE_SAMPLES_SEQUENCE, stream->sequence++);
+    bridge_copy(stream->ring[(stream->oldest + stream->waiting) % stream->capacity], stream->filling,
+                BRIDGE_REPORT_SIZE);
+    ++stream->waiting;
+}
+
+/* What was filled, with the samples as they were measured. */
+static void make_twin(struct bridge_stream *stream)
+{
+    uint8_t *report = stream->filling;
+    report[BRIDGE_SAMPLES_FLAGS] &= BRIDGE_FLAG_DIE_VALID | BRIDGE_FLAG_EXTERNAL_VALID;
+    report[BRIDGE_SAMPLES_FLAGS] |= BRIDGE_FLAG_TWIN;
+    report[BRIDGE_SAMPLES_SATURATED] = stream->raw_saturated;
+    bridge_copy(report + BRIDGE_SAMPLES_RATES, stream->raw, stream->filled * BRIDGE_SAMPLE_SIZE);
+}
+
 void bridge_stream_flush(struct bridge_stream *stream)
 {
     uint8_t *report = stream->filling;
+    bool twin;
     if (stream->filled == 0u)
         return;
-    if (stream->waiting == stream->capacity) {
+    twin = stream->pair && (report[BRIDGE_SAMPLES_FLAGS] & BRIDGE_FLAG_COMPENSATED) != 0u;
+    if (stream->capacity - stream->waiting < (twin ? 2u : 1u)) {
         stream->dropped += stream->filled;
         stream->overrun = true;
     } else {
         report[BRIDGE_SAMPLES_COUNT] = stream->filled;
         bridge_put_u32(report + BRIDGE_SAMPLES_INTERVAL, interval_ns(stream));
-        bridge_put_u16(report + BRIDGE_SAMPLES_SEQUENCE, stream->sequence++);
         if (stream->overrun)
             report[BRIDGE_SAMPLES_FLAGS] |= BRIDGE_FLAG_OVERRUN;
         stream->overrun = false;
-        bridge_copy(stream->ring[(stream->oldest + stream->waiting) % stream->capacity], report,
-                    BRIDGE_REPORT_SIZE);
-        ++stream->waiting;
+        put_into_ring(stream);
+        if (twin) {
+            make_twin(stream);
+            put_into_ring(stream);
+        }
     }
     stream->filled = 0;
 }

@@ -8,6 +8,9 @@
  * be computed from the report. A report is closed with 7 samples, or with the first that lies
  * BRIDGE_STREAM_LONGEST_US or more after its first one.
  *
+ * With `pair` a compensated report is followed by its twin, which has the same samples as they were measured:
+ * the host can compare. The two enter the ring together or not at all, so it must have room for both.
+ *
  * All functions must run in one context, or with the others masked.
  */
 #ifndef DRIFTBENCH_BRIDGE_STREAM_H
@@ -49,6 +52,9 @@ struct bridge_stream
     uint32_t produced;
     uint32_t dropped;
     int32_t tde_counts[3]; /* of the report that is being filled */
+    bool pair;             /* set by the owner, between two reports */
+    uint8_t raw[BRIDGE_SAMPLES_PER_REPORT * BRIDGE_SAMPLE_SIZE];
+    uint8_t raw_saturated;
     struct bridge_compensator compensator;
 };
 

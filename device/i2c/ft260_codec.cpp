@@ -116,7 +116,7 @@ std::optional<std::span<const std::uint8_t>> decodeData(std::span<const std::uin
     if (report.size() < 2 || report[0] < kFirstDataReport || report[0] > kLastDataReport)
         return {};
     const std::size_t count = report[1];
-    if (2 + count > report.size())
+    if (count > kDataPerReport || 2 + count > report.size())
         return {};
     return report.subspan(2, count);
 }

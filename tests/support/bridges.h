@@ -15,7 +15,7 @@ inline constexpr std::array kBridgeNames{"MCP2221A", "CP2112", "FT260"};
 
 struct Bridge
 {
-    SimClock clock;
+    SimulatedClock clock{0.0, 1000.0}; // from somewhere: nobody may take the zero for granted
     I2cBusModel wires;
     HidModel *chip = nullptr; // owned by the driver
     std::unique_ptr<I2cBus> bus;

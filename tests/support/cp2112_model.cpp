@@ -28,7 +28,7 @@ bool wholeTransfer(const Report &report)
 
 } // namespace
 
-Cp2112Model::Cp2112Model(SimClock &clock, I2cBusModel &bus)
+Cp2112Model::Cp2112Model(SimulatedClock &clock, I2cBusModel &bus)
     : HidModel(clock, {0x10C4, 0xEA90, "Silicon Laboratories", "CP2112 HID USB-to-SMBus Bridge", "00A1B2C3",
                        "model:cp2112", 0})
     , m_bus(bus)

@@ -10,7 +10,7 @@ namespace driftbench::test {
 class Cp2112Model final : public HidModel
 {
 public:
-    Cp2112Model(SimClock &clock, I2cBusModel &bus);
+    Cp2112Model(SimulatedClock &clock, I2cBusModel &bus);
 
 private:
     Status take(const Report &report) override;

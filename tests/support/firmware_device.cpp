@@ -9,7 +9,7 @@ FirmwareDevice::FirmwareDevice(RamFlash &flash) : m_flash(flash)
 {
     identity = {};
     identity.firmware[0] = 1;
-    identity.capabilities = BRIDGE_CAN_EXTERNAL | BRIDGE_CAN_FIXED | BRIDGE_CAN_FLOAT;
+    identity.capabilities = BRIDGE_CAN_EXTERNAL | BRIDGE_CAN_FIXED | BRIDGE_CAN_FLOAT | BRIDGE_CAN_PAIR;
     std::memcpy(identity.model, "L3GD20H", 7);
     std::memcpy(identity.serial, "SIM-0001", 8);
     identity.min_rate_mhz = 1000;

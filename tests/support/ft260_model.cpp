@@ -17,7 +17,7 @@ constexpr std::uint8_t kArbitrationLost = 0x10;
 
 } // namespace
 
-Ft260Model::Ft260Model(SimClock &clock, I2cBusModel &bus, int interfaceNumber)
+Ft260Model::Ft260Model(SimulatedClock &clock, I2cBusModel &bus, int interfaceNumber)
     : HidModel(clock, {0x0403, 0x6030, "FTDI", "FT260", "FT5Q1Z7A", "model:ft260", interfaceNumber})
     , m_bus(bus)
     , m_activeS(clock.nowS())

@@ -10,7 +10,7 @@ namespace driftbench::test {
 class Ft260Model final : public HidModel
 {
 public:
-    Ft260Model(SimClock &clock, I2cBusModel &bus, int interfaceNumber = 0);
+    Ft260Model(SimulatedClock &clock, I2cBusModel &bus, int interfaceNumber = 0);
 
     int lostInSleep() const { return m_lostInSleep; }
 

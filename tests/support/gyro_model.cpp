@@ -28,7 +28,7 @@ bool readOnly(std::uint8_t address)
 
 } // namespace
 
-GyroModel::GyroModel(const std::string &model, SimClock &clock, double rateFactor)
+GyroModel::GyroModel(const std::string &model, SimulatedClock &clock, double rateFactor)
     : counts(numbered)
     , dieCount([](double) { return 20; })
     , m_clock(clock)

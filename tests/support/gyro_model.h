@@ -18,7 +18,7 @@ class GyroModel final : public RegisterDeviceModel
 {
 public:
     // rateFactor: by how much the part's data rate differs from the nominal one.
-    GyroModel(const std::string &model, SimClock &clock, double rateFactor = 1.0);
+    GyroModel(const std::string &model, SimulatedClock &clock, double rateFactor = 1.0);
 
     // Counts of sample n since measuring began; by default a number that names n on every axis.
     std::function<Counts(std::int64_t)> counts;
@@ -48,7 +48,7 @@ private:
     bool powered() const;
     void store(std::uint8_t address, std::uint8_t byte);
 
-    SimClock &m_clock;
+    SimulatedClock &m_clock;
     bool m_l3gd20h;
     double m_rateFactor;
     std::array<std::uint8_t, 64> m_registers{};

@@ -19,12 +19,12 @@ Result<std::size_t> HidModel::read(std::span<std::uint8_t> report, std::chrono::
         return ok.error();
     const double untilS = nowS() + std::chrono::duration<double>(timeout).count();
     if (m_input.empty() || m_input.front().readyS > untilS) {
-        m_clock.moveTo(untilS);
+        m_clock.advanceTo(untilS);
         return std::size_t(0);
     }
     const Pending next = m_input.front();
     m_input.pop_front();
-    m_clock.moveTo(next.readyS);
+    m_clock.advanceTo(next.readyS);
     ++m_reports;
     const std::size_t size = std::min(report.size(), next.report.size());
     std::copy_n(next.report.begin(), size, report.begin());

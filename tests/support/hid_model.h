@@ -3,8 +3,8 @@
 #pragma once
 
 #include "device/hid_transport.h"
+#include "device/simulated_clock.h"
 #include "engine/base/random.h"
-#include "support/sim_clock.h"
 
 #include <deque>
 #include <optional>
@@ -17,7 +17,7 @@ using Report = std::vector<std::uint8_t>;
 class HidModel : public HidTransport
 {
 public:
-    HidModel(SimClock &clock, HidIdentity identity) : m_clock(clock), m_identity(std::move(identity)) {}
+    HidModel(SimulatedClock &clock, HidIdentity identity) : m_clock(clock), m_identity(std::move(identity)) {}
 
     // Faults.
     void unplugAfter(int calls) { m_callsUntilUnplugged = calls; }
@@ -38,7 +38,7 @@ public:
 protected:
     static constexpr double kFrameS = 1e-3;
 
-    SimClock &clock() { return m_clock; }
+    SimulatedClock &clock() { return m_clock; }
     double nowS() const { return m_clock.nowS(); }
     void answer(Report report, double readyS);
     void dropAnswers() { m_input.clear(); }
@@ -58,7 +58,7 @@ private:
     Status plugged();
     void garble(Report &report);
 
-    SimClock &m_clock;
+    SimulatedClock &m_clock;
     HidIdentity m_identity;
     std::deque<Pending> m_input;
     int m_callsUntilUnplugged = -1;

@@ -4,7 +4,7 @@
 // bridge model, which answers "busy" for that time.
 #pragma once
 
-#include "support/sim_clock.h"
+#include "device/simulated_clock.h"
 
 #include <cstdint>
 #include <map>

@@ -12,7 +12,7 @@ constexpr double kStartTimeoutS = 0.03;
 
 } // namespace
 
-Mcp2221aModel::Mcp2221aModel(SimClock &clock, I2cBusModel &bus)
+Mcp2221aModel::Mcp2221aModel(SimulatedClock &clock, I2cBusModel &bus)
     : HidModel(clock, {0x04D8, 0x00DD, "Microchip Technology Inc.", "MCP2221 USB-I2C/UART Combo",
                        "0002137645", "model:mcp2221a", 2})
     , m_bus(bus)

@@ -11,7 +11,7 @@ namespace driftbench::test {
 class Mcp2221aModel final : public HidModel
 {
 public:
-    Mcp2221aModel(SimClock &clock, I2cBusModel &bus);
+    Mcp2221aModel(SimulatedClock &clock, I2cBusModel &bus);
 
 private:
     enum class Doing

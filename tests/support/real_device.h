@@ -10,9 +10,9 @@ namespace driftbench::test {
 
 // Its ring holds 3.6 s at 1 kHz: what is tested is the way of the samples, not when a busy computer lets
 // their reader run.
-inline SimulatedBoardOptions realTimeBoard()
+inline SimulatedBoardOptions realTimeBoard(double profileS = 60.0)
 {
-    SimulatedBoardOptions options = quickBoard(60.0);
+    SimulatedBoardOptions options = quickBoard(profileS);
     options.speed = 1.0;
     options.ringReports = 512;
     return options;

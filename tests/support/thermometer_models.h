@@ -12,7 +12,7 @@ namespace driftbench::test {
 class WordRegisterModel : public RegisterDeviceModel
 {
 public:
-    explicit WordRegisterModel(SimClock &clock) : m_clock(clock), m_poweredS(clock.nowS()) {}
+    explicit WordRegisterModel(SimulatedClock &clock) : m_clock(clock), m_poweredS(clock.nowS()) {}
 
     std::function<double(double)> temperatureC = [](double) { return 25.0; }; // of the simulated time
 
@@ -27,7 +27,7 @@ private:
     bool writeNext(std::uint8_t byte) override;
     std::uint8_t readNext() override;
 
-    SimClock &m_clock;
+    SimulatedClock &m_clock;
     double m_poweredS;
     std::uint8_t m_register = 0;
     std::uint16_t m_word = 0;
