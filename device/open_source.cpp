@@ -5,6 +5,7 @@
 #include "device/gyros/gyro_i2c_source.h"
 #include "device/replay_source.h"
 #include "device/simulated_bridge.h"
+#include "engine/physics/drift_curves.h"
 #include "engine/physics/sensor_presets.h"
 
 namespace driftbench {
@@ -78,6 +79,13 @@ Result<SimulationOptions> simulationOf(const SimulatedChoice &choice)
         simulation->sensor.serial = choice.serial;
     if (choice.profile)
         simulation->profile = *choice.profile;
+    if (!choice.drift.empty()) {
+        auto curves = namedDriftCurves(choice.drift);
+        if (!curves)
+            return curves.error();
+        simulation->truth = *std::move(curves);
+        simulation->combs.reset();
+    }
     simulation->seed = choice.seed;
     simulation->gyro.noiseDps = choice.noiseDps.value_or(simulation->gyro.noiseDps);
     simulation->gyro.spread = choice.spread.value_or(simulation->gyro.spread);

@@ -48,6 +48,7 @@ struct SimulatedChoice
     double clockErrorPpm = 0.0;
     bool externalThermometer = true;
     std::filesystem::path flashFile{}; // keeps the tables; empty: they go with the program
+    std::string drift{};               // one of kDriftCurveNames; empty: that of the preset's combs
 };
 
 struct UsbId

@@ -20,6 +20,8 @@
 #include <functional>
 #include <vector>
 
+class QUndoStack;
+
 namespace driftbench {
 
 struct StatusPart
@@ -43,6 +45,8 @@ public:
     // of action_button.h).
     virtual QAction *saveAction() const { return nullptr; }
     void initialise();        // once, after construction; showing it does it as well
+    // What Ctrl+Z takes back here; nothing: edits of the session's calibration plan.
+    virtual QUndoStack *undoStack() const { return nullptr; }
     virtual void entered() {} // became the page that is shown
     virtual void left() {}
 

@@ -16,6 +16,7 @@
 #include "app/session/training_job.h"
 #include "app/session/upload_job.h"
 #include "device/discovery/device_watch.h"
+#include "device/simulated_board.h"
 #include "device/source_choice.h"
 
 #include <QObject>
@@ -117,7 +118,9 @@ private:
     void connectJobs();
     void startWatch();
     SourceChoice choiceFor(SourceUse use) const;
-    void openNow();
+    bool openNow();
+    void rememberSession();
+    Status startTraining(bool train);
 
     WorkbenchOptions m_options;
     Settings m_settings;
@@ -127,6 +130,7 @@ private:
     bool m_startPending = false; // as soon as the acquisition is idle
     std::weak_ptr<SimulatedBoard> m_board;
     DeviceList m_devices;
+    const Session *m_trainedFor = nullptr; // null: nothing that is to be taken
     Acquisition m_acquisition;
     LoadJob m_loading;
     TrainingJob m_training;

@@ -20,6 +20,7 @@ public:
     void setHeads(const QStringList &heads); // over the values; a row with a rule below
     int addRow(const QString &name);         // its number
     void setName(int row, const QString &name);
+    TextLabel &nameLabel(int row) const { return *m_rows[static_cast<std::size_t>(row)].name; }
     void setValue(int row, int column, const QString &text, Tone tone = Tone::Plain, bool strong = false);
     void setValue(int row, const QString &text, Tone tone = Tone::Plain, bool strong = false)
     {

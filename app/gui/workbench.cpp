@@ -1,0 +1,364 @@
+#include "app/gui/workbench.h"
+
+#include "device/open_source.h"
+#include "engine/physics/sensor_presets.h"
+
+#include <utility>
+
+namespace driftbench {
+
+namespace {
+
+constexpr double kWatchedHoldS = 86400.0; // longer than anyone watches
+
+// A source with all that it needs to live.
+class OpenedSampleSource final : public SampleSource
+{
+public:
+    explicit OpenedSampleSource(OpenedSource opened) : m_opened(std::move(opened)) {}
+
+    const SourceInfo &info() const override { return m_opened.source->info(); }
+    Result<SourceStats> run(SampleSink &sink, std::stop_token stop) override
+    {
+        return m_opened.source->run(sink, std::move(stop));
+    }
+
+private:
+    OpenedSource m_opened;
+};
+
+} // namespace
+
+Result<std::unique_ptr<Workbench>> Workbench::create(WorkbenchOptions options, const Settings &settings)
+{
+    auto session = Session::createUnnamed(options.sessionFolder);
+    if (!session)
+        return session.error();
+    return std::unique_ptr<Workbench>(new Workbench(std::move(options), settings, *std::move(session)));
+}
+
+Workbench::Workbench(WorkbenchOptions options, Settings settings, std::unique_ptr<Session> session)
+    : m_options(std::move(options)), m_settings(std::move(settings)), m_session(std::move(session))
+{
+    connectSession();
+    connectJobs();
+    if (m_options.watchDevices)
+        startWatch();
+}
+
+Workbench::~Workbench()
+{
+    m_watch.reset();
+    m_acquisition.disconnect(this);
+}
+
+void Workbench::connectSession()
+{
+    const Session *from = m_session.get();
+    connect(from, &Session::nameChanged, this, &Workbench::nameChanged);
+    connect(from, &Session::testPlanChanged, this, &Workbench::testPlanChanged);
+    connect(from, &Session::runsChanged, this, &Workbench::runsChanged);
+    connect(from, &Session::planChanged, this, &Workbench::planChanged);
+    connect(from, &Session::preparedChanged, this, &Workbench::preparedChanged);
+    connect(from, &Session::resultChanged, this, &Workbench::resultChanged);
+    connect(from, &Session::exportChoiceChanged, this, &Workbench::exportChoiceChanged);
+    connect(from, &Session::exportsChanged, this, &Workbench::exportsChanged);
+    connect(from, &Session::uploadsChanged, this, &Workbench::uploadsChanged);
+    connect(from, &Session::notesChanged, this, &Workbench::notesChanged);
+    connect(from, &Session::eventAdded, this, &Workbench::eventAdded);
+    connect(from, &Session::savedAgain, this, &Workbench::savedChanged);
+    connect(from, &Session::savingFailed, this, [this](const QString &sentence) {
+        emit problem({Errc::OutputNotWritable, sentence.toStdString()});
+        emit savedChanged();
+    });
+}
+
+void Workbench::connectJobs()
+{
+    connect(&m_acquisition, &Acquisition::stateChanged, this, [this](Acquisition::State state) {
+        if (state != Acquisition::State::Idle)
+            return;
+        if (m_watch)
+            m_watch->setInUse({});
+        if (std::exchange(m_startPending, false))
+            openNow();
+    });
+    connect(&m_acquisition, &Acquisition::finished, this, [this](const Result<SourceStats> &outcome) {
+        if (!outcome)
+            emit problem(outcome.error());
+    });
+    connect(&m_acquisition, &Acquisition::recordingFinished, this, [this](RunId, const Status &outcome) {
+        if (!outcome)
+            emit problem(outcome.error());
+        if (const Status read = m_session->refreshRuns(); !read)
+            emit problem(read.error());
+    });
+    connect(&m_acquisition, &Acquisition::recordingStarted, this, [this](RunId) {
+        if (const Status read = m_session->refreshRuns(); !read)
+            emit problem(read.error());
+    });
+    connect(&m_loading, &LoadJob::finished, this, [this](const std::vector<LoadedLog> &logs) {
+        for (const LoadedLog &log : logs) {
+            if (!log.run)
+                emit problem(log.run.error());
+        }
+        if (const Status read = m_session->refreshRuns(); !read)
+            emit problem(read.error());
+    });
+    // A job that was started for a session that is gone has nothing to say to the next one.
+    connect(&m_training, &TrainingJob::prepared, this,
+            [this](const std::shared_ptr<const PreparedCampaign> &campaign) {
+                if (m_trainedFor == m_session.get())
+                    m_session->setPrepared(campaign);
+            });
+    connect(&m_training, &TrainingJob::trained, this,
+            [this](const Result<std::shared_ptr<const CalibrationResult>> &outcome) {
+                if (m_trainedFor != m_session.get())
+                    return;
+                const Status taken = outcome ? m_session->setResult(*outcome) : Status(outcome.error());
+                if (!taken && taken.error().code != Errc::Cancelled)
+                    emit problem(taken.error());
+            });
+    connect(&m_training, &TrainingJob::failed, this, &Workbench::problem);
+}
+
+Status Workbench::newSession()
+{
+    auto made = Session::createUnnamed(m_options.sessionFolder);
+    if (!made)
+        return made.error();
+    take(*std::move(made));
+    return {};
+}
+
+Status Workbench::openSession(const std::filesystem::path &file)
+{
+    std::error_code code;
+    if (std::filesystem::equivalent(file, m_session->path(), code))
+        return {};
+    auto opened = Session::open(file);
+    if (!opened)
+        return opened.error();
+    take(*std::move(opened));
+    if (!m_session->isUnnamed())
+        rememberSession();
+    return {};
+}
+
+void Workbench::rememberSession()
+{
+    const QString path = QString::fromStdString(m_session->path().string());
+    changeSettings([&](Settings &settings) {
+        addRecent(settings.recentSessions, path);
+        settings.lastSession = path;
+    });
+}
+
+Status Workbench::saveSessionAs(const std::filesystem::path &file)
+{
+    if (m_acquisition.isRecording())
+        return Error{Errc::SessionInUse, "A run is being recorded into this session; stop it, then give it a name."};
+    if (const Status saved = m_session->saveAs(file); !saved)
+        return saved;
+    rememberSession();
+    return {};
+}
+
+void Workbench::take(std::unique_ptr<Session> session)
+{
+    m_training.cancel();
+    m_loading.cancel();
+    m_trainedFor = nullptr;
+    stopSource();
+    m_session->disconnect(this);
+    m_session = std::move(session);
+    connectSession();
+    emit sessionReplaced();
+    emit nameChanged();
+    emit testPlanChanged();
+    emit runsChanged();
+    emit planChanged();
+    emit preparedChanged();
+    emit resultChanged();
+    emit exportChoiceChanged();
+    emit exportsChanged();
+    emit uploadsChanged();
+    emit notesChanged();
+    emit savedChanged();
+}
+
+void Workbench::changeSettings(const std::function<void(Settings &)> &change)
+{
+    Settings changed = m_settings;
+    change(changed);
+    if (changed == m_settings)
+        return;
+    m_settings = std::move(changed);
+    emit settingsChanged();
+}
+
+void Workbench::setSourceChoice(const SourceChoice &choice)
+{
+    if (m_acquisition.isRecording())
+        return;
+    stopSource();
+    m_choice = choice;
+    emit sourceChanged();
+}
+
+bool Workbench::isSourceSimulated() const
+{
+    return m_choice && m_choice->as<SimulatedChoice>();
+}
+
+QString Workbench::sourceName() const
+{
+    if (!m_choice)
+        return {};
+    if (m_choice->as<SimulatedChoice>())
+        return tr("Simulated bridge");
+    if (m_choice->as<NativeChoice>())
+        return tr("Gyro bridge");
+    if (const auto *i2c = m_choice->as<I2cChoice>())
+        return QString::fromUtf8(describe(i2c->chip).name.data());
+    return QString::fromStdString(m_choice->as<FileChoice>()->path.filename().string());
+}
+
+SourceChoice Workbench::choiceFor(SourceUse use) const
+{
+    SourceChoice choice = *m_choice;
+    auto *simulated = choice.as<SimulatedChoice>();
+    if (!simulated)
+        return choice;
+    if (simulated->flashFile.empty())
+        simulated->flashFile = m_options.sessionFolder / "simulated-bridge.flash";
+    const auto &plan = m_session->testPlan();
+    if (use == SourceUse::Watch) {
+        const double startC = plan ? plan->lowestC : simulated->profile ? simulated->profile->startC() : -40.0;
+        if (auto hold = TemperatureProfile::build("watch", startC, {HoldSegment{kWatchedHoldS}}))
+            simulated->profile = *std::move(hold);
+        simulated->speed = 1.0;
+        return choice;
+    }
+    if (plan) {
+        if (auto profile = plan->profile())
+            simulated->profile = *std::move(profile);
+    }
+    simulated->run = static_cast<int>(m_session->runs().size());
+    return choice;
+}
+
+bool Workbench::startSource(SourceUse use)
+{
+    if (!m_choice || m_acquisition.isRecording())
+        return false;
+    m_use = use;
+    if (m_acquisition.state() == Acquisition::State::Idle)
+        return openNow();
+    m_startPending = true;
+    m_acquisition.stop();
+    return true;
+}
+
+bool Workbench::openNow()
+{
+    const SourceChoice choice = choiceFor(m_use);
+    const auto sender = m_mailbox.sender();
+    return m_acquisition.start([this, choice, access = m_options.devices,
+                                sender]() -> Result<std::unique_ptr<SampleSource>> {
+        auto opened = openSource(choice, access);
+        if (!opened)
+            return opened.error();
+        sender.post([this, board = std::weak_ptr(opened->board), identity = opened->identity] {
+            m_board = board;
+            if (m_watch && !identity.path.empty())
+                m_watch->setInUse({identity});
+        });
+        return std::unique_ptr<SampleSource>(std::make_unique<OpenedSampleSource>(*std::move(opened)));
+    });
+}
+
+void Workbench::stopSource()
+{
+    m_startPending = false;
+    m_acquisition.stop();
+}
+
+void Workbench::startWatch()
+{
+    const auto sender = m_mailbox.sender();
+    std::vector<UsbId> ids;
+    for (const QString &text : m_settings.bridgeIds) {
+        if (const auto id = parseUsbId(text.toStdString()))
+            ids.push_back(*id);
+    }
+    const auto scanner = std::make_shared<DeviceScanner>(m_options.devices, ids);
+    m_watch = std::make_unique<DeviceWatch>(
+        [scanner](const ScanRequest &request) { return scanner->scan(request); },
+        [this, sender](const DeviceList &list) {
+            sender.post([this, list] {
+                m_devices = list;
+                emit devicesChanged();
+            });
+        });
+}
+
+void Workbench::lookAgain()
+{
+    if (m_watch)
+        m_watch->lookAgain();
+}
+
+OpenClient Workbench::clientOpener() const
+{
+    if (!m_choice)
+        return [] { return Result<std::shared_ptr<BridgeClient>>(
+            Error{Errc::DeviceNotFound, "No bridge is chosen; choose one on the Source page."}); };
+    return [choice = choiceFor(SourceUse::Record),
+            access = m_options.devices]() -> Result<std::shared_ptr<BridgeClient>> {
+        auto opened = openBridge(choice, access);
+        if (!opened)
+            return opened.error();
+        // The client lives in what it needs.
+        const auto whole = std::make_shared<OpenedBridge>(*std::move(opened));
+        return std::shared_ptr<BridgeClient>(whole, whole->client.get());
+    };
+}
+
+Status Workbench::importLogs(const std::vector<std::filesystem::path> &files, const LoadInput &how)
+{
+    if (m_loading.isRunning())
+        return Error{Errc::InvalidOption, "Other logs are being read; wait for them, or cancel."};
+    LoadInput input = how;
+    input.files = files;
+    const auto file = m_session->anotherFile();
+    if (!file)
+        return file.error();
+    input.file = *file;
+    m_loading.start(std::move(input));
+    return {};
+}
+
+Status Workbench::startTraining(bool train)
+{
+    if (m_training.isRunning())
+        return Error{Errc::InvalidOption, "Models are being trained; wait for them, or cancel."};
+    auto input = m_session->trainingInput(train);
+    if (!input)
+        return input.error();
+    m_trainedFor = m_session.get();
+    m_training.start(*std::move(input));
+    return {};
+}
+
+Status Workbench::prepare()
+{
+    return m_session->prepared() ? Status() : startTraining(false);
+}
+
+Status Workbench::train()
+{
+    return startTraining(true);
+}
+
+} // namespace driftbench
