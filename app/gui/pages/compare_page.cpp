@@ -152,6 +152,8 @@ const CalibrationResult *ComparePage::result() const
 
 void ComparePage::entered()
 {
+    if (context().workbench == nullptr)
+        return;
     const Session &session = context().workbench->session();
     if (session.result() && !session.prepared() && !context().workbench->training().isRunning()) {
         if (const Status started = context().workbench->prepare(); !started)

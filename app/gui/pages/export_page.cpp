@@ -174,6 +174,8 @@ void ExportPage::connectSession()
 
 void ExportPage::entered()
 {
+    if (context().workbench == nullptr)
+        return;
     m_device->look();
     makePreview();
 }

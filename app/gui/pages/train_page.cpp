@@ -147,6 +147,8 @@ void TrainPage::connectSession()
 
 void TrainPage::entered()
 {
+    if (context().workbench == nullptr)
+        return;
     showPlan();
     showResult();
 }
