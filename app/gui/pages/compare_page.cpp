@@ -1,5 +1,6 @@
 #include "app/gui/pages/compare_page.h"
 
+#include "app/gui/banner_of.h"
 #include "app/gui/compare/report_writer.h"
 #include "app/gui/event_log.h"
 #include "app/gui/train/model_words.h"
@@ -217,8 +218,8 @@ void ComparePage::writeReport(const std::filesystem::path &file)
     const Session &session = context().workbench->session();
     if (!session.result() || !session.prepared() || session.prepared()->refusal) {
         banners().post(QString::fromLatin1(kReport),
-                       {BannerKind::Caution, tr("There is nothing to report yet."),
-                        tr("Train a model first; its runs must be readable.")});
+                       bannerOf(BannerKind::Caution, tr("There is nothing to report yet."),
+                                tr("Train a model first; its runs must be readable.")));
         return;
     }
     banners().withdraw(QString::fromLatin1(kReport));
@@ -236,11 +237,12 @@ void ComparePage::reportEnded(const Status &outcome)
     if (outcome) {
         const QString file = m_report->property("file").toString();
         context().events.add(EventKind::Info, tr("Report written to %1.").arg(file));
-        banners().post(QString::fromLatin1(kReport), {BannerKind::Info, tr("The report is written."), file});
+        banners().post(QString::fromLatin1(kReport),
+                       bannerOf(BannerKind::Info, tr("The report is written."), file));
         return;
     }
-    banners().post(QString::fromLatin1(kReport), {BannerKind::Bad, tr("The report was not written."),
-                                                  QString::fromStdString(outcome.error().message)});
+    banners().post(QString::fromLatin1(kReport), bannerOf(BannerKind::Bad, tr("The report was not written."),
+                                                          QString::fromStdString(outcome.error().message)));
 }
 
 void ComparePage::chooseRun(int run)

@@ -1,5 +1,6 @@
 #include "app/gui/pages/export_page.h"
 
+#include "app/gui/banner_of.h"
 #include "app/gui/event_log.h"
 #include "app/gui/export/device_panel.h"
 #include "app/gui/export/file_choices.h"
@@ -166,7 +167,7 @@ void ExportPage::connectSession()
     connect(m_device, &DevicePanel::told, this, [this](bool bad, const QString &what, const QString &toDo) {
         context().events.add(bad ? EventKind::Bad : EventKind::Info, what + QLatin1Char(' ') + toDo);
         if (bad)
-            banners().post(QString::fromLatin1(kOutcome), {BannerKind::Bad, what, toDo});
+            banners().post(QString::fromLatin1(kOutcome), bannerOf(BannerKind::Bad, what, toDo));
     });
     showModels();
     makePreview();
@@ -265,11 +266,12 @@ void ExportPage::showPreview()
     m_files->setPreview(m_preview.get());
     m_device->setPreview(m_preview, model);
     if (m_preview && m_preview->refusal)
-        banners().post(QString::fromLatin1(kNotes), {BannerKind::Caution, tr("There is no table to write."),
-                                                     QString::fromStdString(m_preview->refusal->message)});
+        banners().post(QString::fromLatin1(kNotes),
+                       bannerOf(BannerKind::Caution, tr("There is no table to write."),
+                                QString::fromStdString(m_preview->refusal->message)));
     else if (m_preview && !m_preview->notes.empty())
         banners().post(QString::fromLatin1(kNotes),
-                       {BannerKind::Info, QString::fromStdString(m_preview->notes.front()), {}});
+                       bannerOf(BannerKind::Info, QString::fromStdString(m_preview->notes.front()), {}));
     else
         banners().withdraw(QString::fromLatin1(kNotes));
     if (model == nullptr)
@@ -395,8 +397,8 @@ void ExportPage::savedFiles(const Status &outcome)
 {
     const QString key = QString::fromLatin1(kOutcome);
     if (!outcome) {
-        banners().post(key, {BannerKind::Bad, tr("The files were not written."),
-                             QString::fromStdString(outcome.error().message)});
+        banners().post(key, bannerOf(BannerKind::Bad, tr("The files were not written."),
+                                     QString::fromStdString(outcome.error().message)));
         return showButtons();
     }
     for (const ExportRecord &record : m_records) {
@@ -405,7 +407,7 @@ void ExportPage::savedFiles(const Status &outcome)
     }
     const auto count = static_cast<int>(m_records.size());
     context().events.add(EventKind::Info, tr("%n file(s) written to %1.", nullptr, count).arg(m_folder));
-    banners().post(key, {BannerKind::Info, tr("%n file(s) written.", nullptr, count), m_folder});
+    banners().post(key, bannerOf(BannerKind::Info, tr("%n file(s) written.", nullptr, count), m_folder));
     showButtons();
 }
 

@@ -1,5 +1,6 @@
 #include "app/gui/pages/train_page.h"
 
+#include "app/gui/banner_of.h"
 #include "app/gui/train/model_words.h"
 #include "app/gui/train/train_figures.h"
 #include "app/gui/train/train_options.h"
@@ -133,12 +134,9 @@ void TrainPage::connectSession()
             [this](const Result<std::shared_ptr<const CalibrationResult>> &outcome) {
                 if (outcome || outcome.error().code == Errc::Cancelled)
                     return;
-                banners().post(kRefused, {BannerKind::Bad,
-                                          tr("The training was refused."),
-                                          QString::fromStdString(outcome.error().message),
-                                          {},
-                                          {},
-                                          {m_toInspect}});
+                banners().post(kRefused,
+                               bannerOf(BannerKind::Bad, tr("The training was refused."),
+                                        QString::fromStdString(outcome.error().message), {m_toInspect}));
             });
     showPlan();
     showResult();
@@ -164,8 +162,8 @@ void TrainPage::train()
     m_trainedS.clear();
     m_stopped = false;
     if (const Status started = context().workbench->train(); !started)
-        banners().post(kRefused, {BannerKind::Bad, tr("The training can't start."),
-                                  QString::fromStdString(started.error().message)});
+        banners().post(kRefused, bannerOf(BannerKind::Bad, tr("The training can't start."),
+                                          QString::fromStdString(started.error().message)));
 }
 
 void TrainPage::cancel()
@@ -262,12 +260,8 @@ void TrainPage::showRefusal()
 {
     const auto &prepared = context().workbench->session().prepared();
     if (prepared && prepared->refusal)
-        banners().post(kRefused, {BannerKind::Bad,
-                                  tr("These runs can't be trained on."),
-                                  QString::fromStdString(prepared->refusal->message),
-                                  {},
-                                  {},
-                                  {m_toInspect}});
+        banners().post(kRefused, bannerOf(BannerKind::Bad, tr("These runs can't be trained on."),
+                                          QString::fromStdString(prepared->refusal->message), {m_toInspect}));
     else
         banners().withdraw(kRefused);
     showResult();
