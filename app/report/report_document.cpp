@@ -226,7 +226,7 @@ std::optional<ReportFigure> drawFigure(const FigureTask &task, const ReportDocum
         return std::nullopt;
     if (document.simulated)
         view->setOrigin(document.origin);
-    ReportFigure figure{task.title, task.caption, view->figureSize(), {}, {}};
+    ReportFigure figure{task.title, task.caption, view->figureSize(), QByteArray(), QPicture()};
     figure.svg = figureAsSvg(*view, figure.size, {task.title, task.caption});
     figure.picture = figureAsPicture(*view, figure.size);
     return figure;

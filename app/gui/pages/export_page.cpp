@@ -71,8 +71,6 @@ ExportPage::ExportPage(AppContext &context, QWidget *parent)
         addPageAction({}, QStringLiteral("train"), [this] { this->context().navigator.go(Step::Train); });
     addPageAction(QKeySequence(Qt::Key_F5), {}, [this] { m_device->look(); });
     setPrimaryAction(m_write);
-    if (context.workbench == nullptr)
-        return;
     head().addControl(m_model);
     head().addControl(new ActionButton(m_save, ButtonSize::Head));
     auto *write = new ActionButton(m_write, ButtonSize::Head);
@@ -93,7 +91,8 @@ ExportPage::ExportPage(AppContext &context, QWidget *parent)
     splitter->setSizes({kLeftWidth, 2 * kLeftWidth});
     m_stack->addWidget(splitter);
     setBody(m_stack);
-    connectSession();
+    if (context.workbench != nullptr)
+        connectSession();
 }
 
 ExportPage::~ExportPage() = default;
@@ -132,8 +131,10 @@ QWidget *ExportPage::buildRight()
     auto *errors = new PlotPanel(m_errors);
     errors->setMinimumHeight(180);
     rows->addWidget(errors, 1);
-    m_device = new DevicePanel(*context().workbench, m_restore, m_cancel, m_toSource);
-    rows->addWidget(m_device, 1);
+    if (context().workbench != nullptr) {
+        m_device = new DevicePanel(*context().workbench, m_restore, m_cancel, m_toSource);
+        rows->addWidget(m_device, 1);
+    }
     return right;
 }
 
