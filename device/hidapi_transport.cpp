@@ -5,13 +5,19 @@
 #include <cerrno>
 #include <fcntl.h>
 #include <linux/hidraw.h>
+#include <mutex>
+#include <sys/file.h>
 #include <sys/ioctl.h>
 #include <system_error>
+#include <thread>
 #include <unistd.h>
+#include <utility>
 
 namespace driftbench {
 
 namespace {
+
+using namespace std::chrono_literals;
 
 // wchar_t holds a code point under Linux; other systems' pairs of surrogates do not occur in device names.
 void appendUtf8(std::string &text, char32_t point)
@@ -41,17 +47,65 @@ std::string systemText(int errorNumber)
     return std::generic_category().message(errorNumber);
 }
 
-// Why the node can't be used, 0 if it can. hidapi tells why only in words of the user's language, and 0.13
-// crashes on a node that is no HID device.
-int openErrorNumber(const std::string &path)
+// hidapi keeps its list and its last error for the whole process.
+std::mutex &hidapiMutex()
 {
-    const int descriptor = ::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK);
-    if (descriptor < 0)
-        return errno;
+    static std::mutex mutex;
+    return mutex;
+}
+
+class Descriptor
+{
+public:
+    explicit Descriptor(int number = -1) : m_number(number) {}
+    ~Descriptor()
+    {
+        if (m_number >= 0)
+            ::close(m_number);
+    }
+    Descriptor(Descriptor &&other) noexcept : m_number(std::exchange(other.m_number, -1)) {}
+    Descriptor &operator=(Descriptor &&) = delete;
+    Descriptor(const Descriptor &) = delete;
+    Descriptor &operator=(const Descriptor &) = delete;
+
+    int number() const { return m_number; }
+
+private:
+    int m_number;
+};
+
+// hidraw lets any number of programs open a node, and each would take the answers to the other's requests for
+// its own. So whoever uses it locks it; a look at what the device is lasts less than a few tries.
+bool lock(int descriptor)
+{
+    constexpr int kTries = 10;
+    for (int attempt = 0; attempt < kTries; ++attempt) {
+        if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0)
+            return true;
+        if (errno != EWOULDBLOCK)
+            return true; // a system without such locks
+        std::this_thread::sleep_for(20ms);
+    }
+    return false;
+}
+
+// The node, locked, or why it can't be used. hidapi tells why only in words of the user's language, and 0.13
+// crashes on a node that is no HID device.
+struct Claim
+{
+    Descriptor descriptor;
+    int errorNumber = 0;
+};
+
+Claim claim(const std::string &path)
+{
+    Claim made{Descriptor(::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK))};
     int bytes = 0;
-    const int number = ::ioctl(descriptor, HIDIOCGRDESCSIZE, &bytes) < 0 ? errno : 0;
-    ::close(descriptor);
-    return number;
+    if (made.descriptor.number() < 0 || ::ioctl(made.descriptor.number(), HIDIOCGRDESCSIZE, &bytes) < 0)
+        made.errorNumber = errno;
+    else if (!lock(made.descriptor.number()))
+        made.errorNumber = EBUSY;
+    return made;
 }
 
 Error openError(const std::string &path, int number)
@@ -78,8 +132,8 @@ Error openError(const std::string &path, int number)
 class HidapiTransport final : public HidTransport
 {
 public:
-    HidapiTransport(hid_device *device, HidIdentity identity)
-        : m_device(device), m_identity(std::move(identity))
+    HidapiTransport(hid_device *device, HidIdentity identity, Descriptor lock)
+        : m_device(device), m_identity(std::move(identity)), m_lock(std::move(lock))
     {
     }
     ~HidapiTransport() override { hid_close(m_device); }
@@ -103,6 +157,7 @@ private:
 
     hid_device *m_device;
     HidIdentity m_identity;
+    Descriptor m_lock; // as long as it is open
 };
 
 Error HidapiTransport::exchangeError(const char *what, std::uint8_t id, int errorNumber) const
@@ -167,6 +222,7 @@ Status HidapiTransport::sendFeature(std::span<const std::uint8_t> report)
 
 std::vector<HidIdentity> listHidDevices()
 {
+    const std::lock_guard lock(hidapiMutex());
     std::vector<HidIdentity> devices;
     hid_device_info *const first = hid_enumerate(0, 0);
     for (const hid_device_info *each = first; each; each = each->next) {
@@ -183,10 +239,13 @@ std::vector<HidIdentity> listHidDevices()
 
 Result<std::unique_ptr<HidTransport>> openHidDevice(const HidIdentity &identity)
 {
-    if (const int number = openErrorNumber(identity.path); number != 0)
-        return openError(identity.path, number);
+    Claim claimed = claim(identity.path);
+    if (claimed.errorNumber != 0)
+        return openError(identity.path, claimed.errorNumber);
+    const std::lock_guard lock(hidapiMutex());
     if (hid_device *const device = hid_open_path(identity.path.c_str()))
-        return std::unique_ptr<HidTransport>(std::make_unique<HidapiTransport>(device, identity));
+        return std::unique_ptr<HidTransport>(
+            std::make_unique<HidapiTransport>(device, identity, std::move(claimed.descriptor)));
     return openError(identity.path, 0);
 }
 

@@ -44,17 +44,18 @@ struct Watcher : QObject
             order += "s";
             name = info.name;
         });
-        connect(&acquisition, &Acquisition::batch, this, [this](const std::shared_ptr<const SampleBlock> &block) {
-            order += "b";
-            if (block->firstSample != samples)
-                inOrder = false;
-            for (Eigen::Index i = 0; i < block->size(); ++i) {
-                if (block->temperatureC[i] != static_cast<double>(samples + i) ||
-                    block->rateDps(i, 1) != -block->temperatureC[i])
-                    inOrder = false;
-            }
-            samples += block->size();
-        });
+        connect(&acquisition, &Acquisition::batch, this,
+                [this](const std::shared_ptr<const SampleBlock> &block) {
+                    order += "b";
+                    if (block->firstSample != samples)
+                        inOrder = false;
+                    for (Eigen::Index i = 0; i < block->size(); ++i) {
+                        if (block->temperatureC[i] != static_cast<double>(samples + i) ||
+                            block->rateDps(i, 1) != -block->temperatureC[i])
+                            inOrder = false;
+                    }
+                    samples += block->size();
+                });
         connect(&acquisition, &Acquisition::gap, this, [this](const SampleGap &) {
             order += "g";
             samplesAtGap = samples;
@@ -64,9 +65,8 @@ struct Watcher : QObject
             order += "f";
             outcome = result;
         });
-        connect(&acquisition, &Acquisition::recordingFinished, this, [this](RunId, const Status &status) {
-            recorded = status;
-        });
+        connect(&acquisition, &Acquisition::recordingFinished, this,
+                [this](RunId, const Status &status) { recorded = status; });
     }
 
     // Batches in a row are one.
@@ -111,10 +111,10 @@ void TestSessionAcquisition::start_script_arrivesInOrder()
     Acquisition acquisition;
     Watcher watcher(acquisition);
     const SampleGap gap{0.7, 0.9, 200, GapCause::ReportsLost};
-    QVERIFY(acquisition.start(
-        opening({ScriptedSamples{300}, ScriptedSamples{400}, gap, ScriptedSamples{55}, std::string("saturated on x"),
-                 ScriptedWait{std::chrono::milliseconds(90)}, ScriptedSamples{45}},
-                false)));
+    QVERIFY(acquisition.start(opening({ScriptedSamples{300}, ScriptedSamples{400}, gap, ScriptedSamples{55},
+                                       std::string("saturated on x"),
+                                       ScriptedWait{std::chrono::milliseconds(90)}, ScriptedSamples{45}},
+                                      false)));
     QCOMPARE(acquisition.state(), Acquisition::State::Opening);
     QTRY_VERIFY(watcher.outcome);
     QCOMPARE(watcher.events(), QString("sbgbebf"));
@@ -260,8 +260,8 @@ void TestSessionAcquisition::recording_endOfSource_isFinished()
     connect(&acquisition, &Acquisition::started, this,
             [&] { QVERIFY(acquisition.startRecording(file, "run")); });
     const std::vector<ScriptStep> script{ScriptedWait{std::chrono::milliseconds(100)}, ScriptedSamples{500},
-                                         SampleGap{0.499, 0.7, 200, GapCause::ReportsLost}, ScriptedSamples{500},
-                                         Error{Errc::DeviceUnplugged, "Gone."}};
+                                         SampleGap{0.499, 0.7, 200, GapCause::ReportsLost},
+                                         ScriptedSamples{500}, Error{Errc::DeviceUnplugged, "Gone."}};
     acquisition.start(opening(script, false));
     QTRY_VERIFY(watcher.recorded);
     QVERIFY(watcher.recorded->ok());
@@ -289,7 +289,8 @@ void TestSessionAcquisition::recording_continued_isOneRunWithAGap()
             QVERIFY2(begun, begun ? "" : begun.error().message.c_str());
             run = acquisition.recordingRun();
         });
-        acquisition.start(opening({ScriptedWait{std::chrono::milliseconds(100)}, ScriptedSamples{300}}, false));
+        acquisition.start(
+            opening({ScriptedWait{std::chrono::milliseconds(100)}, ScriptedSamples{300}}, false));
         QTRY_VERIFY(watcher.recorded);
         QVERIFY(watcher.recorded->ok());
     }

@@ -78,7 +78,7 @@ Result<CalibrationResult> resultFrom(const std::string &comparisonJson, const st
     auto figures = comparisonFromJson(comparisonJson, "The stored comparison");
     if (!figures)
         return figures.error();
-    return CalibrationResult{*std::move(figures), std::move(models),  std::move(heldOut), {},
+    return CalibrationResult{*std::move(figures), std::move(models), std::move(heldOut), {},
                              comparisonJson,      recommendationJson};
 }
 

@@ -24,10 +24,10 @@ struct HeldOutModels
 struct CalibrationResult
 {
     ReadComparison figures;
-    std::vector<TrainedModel> models;   // "auto" last
-    std::vector<HeldOutModels> heldOut; // by fold
-    std::map<std::string, double> trainingS;     // by model: what its training took, where that is known
-    std::string comparisonJson;         // comparisonToJson
+    std::vector<TrainedModel> models;        // "auto" last
+    std::vector<HeldOutModels> heldOut;      // by fold
+    std::map<std::string, double> trainingS; // by model: what its training took, where that is known
+    std::string comparisonJson;              // comparisonToJson
     std::string recommendationJson;
 
     const TrainedModel *model(const std::string &name) const; // null: there is none

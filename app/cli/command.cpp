@@ -14,10 +14,10 @@ namespace driftbench::cli {
 namespace {
 
 // In the order in which a calibration uses them.
-constexpr std::array<AddCommand, 11> kCommands{
-    addPlanCommand,     addSimulateCommand, addInspectCommand, addFitCommand,
-    addEvaluateCommand, addApplyCommand,    addExportCommand,  addSessionCommand,
-    addDeviceCommand,   addPhysicsCommand,  addReproduceCommand};
+constexpr std::array<AddCommand, 13> kCommands{
+    addPlanCommand,   addDevicesCommand,  addRecordCommand,   addSimulateCommand, addInspectCommand,
+    addFitCommand,    addEvaluateCommand, addApplyCommand,    addExportCommand,   addSessionCommand,
+    addDeviceCommand, addPhysicsCommand,  addReproduceCommand};
 
 // "25,5,53"
 std::optional<Eigen::Vector3d> threeNumbers(std::string_view text)

@@ -35,11 +35,13 @@ using AddCommand = void (*)(CLI::App &program, Invocation &invocation);
 
 void addApplyCommand(CLI::App &program, Invocation &invocation);
 void addDeviceCommand(CLI::App &program, Invocation &invocation);
+void addDevicesCommand(CLI::App &program, Invocation &invocation);
 void addEvaluateCommand(CLI::App &program, Invocation &invocation);
 void addExportCommand(CLI::App &program, Invocation &invocation);
 void addFitCommand(CLI::App &program, Invocation &invocation);
 void addInspectCommand(CLI::App &program, Invocation &invocation);
 void addPhysicsCommand(CLI::App &program, Invocation &invocation);
+void addRecordCommand(CLI::App &program, Invocation &invocation);
 void addReproduceCommand(CLI::App &program, Invocation &invocation);
 void addPlanCommand(CLI::App &program, Invocation &invocation);
 void addSessionCommand(CLI::App &program, Invocation &invocation);

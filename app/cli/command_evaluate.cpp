@@ -113,9 +113,10 @@ Status evaluate(const EvaluateArguments &arguments)
     if (!loaded)
         return loaded.error();
     if (loaded->campaign.sensor.contradicts(model->sensor) && !arguments.force) {
-        return Error{Errc::ModelOfAnotherSensor,
-                     arguments.model.file + " was trained on " + model->sensor.text() + ", but the runs are of " +
-                         loaded->campaign.sensor.text() + "; take that sensor's model, or say --force."};
+        return Error{Errc::ModelOfAnotherSensor, arguments.model.file + " was trained on " +
+                                                     model->sensor.text() + ", but the runs are of " +
+                                                     loaded->campaign.sensor.text() +
+                                                     "; take that sensor's model, or say --force."};
     }
     if (Status covered = checkRange(arguments, *model, *loaded); !covered)
         return covered;
@@ -145,8 +146,10 @@ Status evaluate(const EvaluateArguments &arguments)
 void addEvaluateCommand(CLI::App &program, Invocation &invocation)
 {
     const auto arguments = std::make_shared<EvaluateArguments>();
-    CLI::App *command = addCommand(program, "evaluate", "Judges a saved model on any runs of its sensor, or on those of a session, which keeps the outcome.",
-                                   "driftbench-cli evaluate --model fit/models/rbf.json new_run.csv");
+    CLI::App *command = addCommand(
+        program, "evaluate",
+        "Judges a saved model on any runs of its sensor, or on those of a session, which keeps the outcome.",
+        "driftbench-cli evaluate --model fit/models/rbf.json new_run.csv");
     addModelOptions(*command, arguments->model);
     addCampaignOptions(*command, arguments->request);
     command->remove_option(command->get_option("--reference-temperature"));

@@ -4,7 +4,7 @@
 #include "app/cli/model_input.h"
 #include "engine/base/atomic_file.h"
 #include "engine/base/axes.h"
-#include "engine/base/crc32.h"
+#include "engine/base/checksum.h"
 #include "engine/exports/export_model.h"
 
 #include <memory>
@@ -25,7 +25,8 @@ struct ExportArguments
     bool json = false;
 };
 
-// In the session that the model is of; one that can't be written to does not keep the file from being exported.
+// In the session that the model is of; one that can't be written to does not keep the file from being
+// exported.
 Status noteExport(const ExportArguments &arguments, const ModelInput &input, const std::string &text)
 {
     if (!input.session)

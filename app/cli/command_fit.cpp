@@ -63,7 +63,8 @@ Result<FitInput> fromLogs(const FitArguments &arguments, const ProgressHook &hoo
     auto loaded = loadCampaign(arguments.request, hook);
     if (!loaded)
         return loaded.error();
-    FitInput input{*std::move(loaded), arguments.comparison, {{"request.json", requestToJson(arguments.request)}}, {}};
+    FitInput input{
+        *std::move(loaded), arguments.comparison, {{"request.json", requestToJson(arguments.request)}}, {}};
     input.options.holdOut = namesOfHeldOut(arguments, input.loaded.campaign);
     return input;
 }
@@ -79,7 +80,7 @@ Result<FitInput> fromSession(const FitArguments &arguments, const std::filesyste
     if (!plan)
         return plan.error();
     if (Status edited = (*session)->editPlan(*std::move(plan), "options of fit"); !edited)
-        return edited;
+        return edited.error();
     auto prepared = prepareSession(**session, (*session)->plan(), hook);
     if (!prepared)
         return prepared.error();
@@ -88,7 +89,8 @@ Result<FitInput> fromSession(const FitArguments &arguments, const std::filesyste
         return options.error();
     LoadedCampaign loaded = prepared->loaded;
     if (!(*session)->setPrepared(std::make_shared<const PreparedCampaign>(*std::move(prepared))))
-        return Error{Errc::InvalidOption, "The plan of the session is not the one that was prepared; fit again."};
+        return Error{Errc::InvalidOption,
+                     "The plan of the session is not the one that was prepared; fit again."};
     return FitInput{std::move(loaded), *std::move(options), {}, *std::move(session)};
 }
 

@@ -45,12 +45,13 @@ Status check(const SessionArguments &arguments)
         text += problem + "\n";
     if (problems->empty())
         text = "Nothing is wrong with it.\n";
-    const Status shown = arguments.json ? printJson({{"file", arguments.file}, {"problems", *problems}})
-                                        : printResult(text);
+    const Status shown =
+        arguments.json ? printJson({{"file", arguments.file}, {"problems", *problems}}) : printResult(text);
     if (!shown || problems->empty())
         return shown;
-    return Error{Errc::SessionDamaged, arguments.file + " is damaged in " + std::to_string(problems->size()) +
-                                           " places; what can be read of its runs is had by session export-csv."};
+    return Error{Errc::SessionDamaged,
+                 arguments.file + " is damaged in " + std::to_string(problems->size()) +
+                     " places; what can be read of its runs is had by session export-csv."};
 }
 
 // export-csv ---------------------------------------------------------------------------------------------
@@ -73,8 +74,9 @@ Result<RunRecord> runNamed(const SessionFile &file, const std::string &name)
             return run;
         known += (known.empty() ? "" : ", ") + run.description.name;
     }
-    return Error{Errc::NoSuchRun, file.path().string() + " has no run " + (name.empty() ? "at all" : "named " + name) +
-                                      "; it has " + (known.empty() ? "none" : known) + "."};
+    return Error{Errc::NoSuchRun, file.path().string() + " has no run " +
+                                      (name.empty() ? "at all" : "named " + name) + "; it has " +
+                                      (known.empty() ? "none" : known) + "."};
 }
 
 Status exportCsv(const ExportCsvArguments &arguments)
@@ -147,7 +149,8 @@ Status import(const ImportArguments &arguments)
         imported.push_back({{"file", log.path.string()}, {"run", name}, {"id", *log.run}});
         text += name + "\n";
     }
-    if (Status shown = arguments.session.json ? printJson({{"imported", imported}}) : printResult(text); !shown)
+    if (Status shown = arguments.session.json ? printJson({{"imported", imported}}) : printResult(text);
+        !shown)
         return shown;
     return first;
 }
@@ -166,10 +169,11 @@ CLI::App *addPart(CLI::App &session, const std::string &name, const std::string 
 void addImport(CLI::App &session, Invocation &invocation)
 {
     const auto arguments = std::make_shared<ImportArguments>();
-    CLI::App *part = addPart(session, "import",
-                             "Reads logs into the session, which is made if it is not there. A log that can't be "
-                             "read does not keep the others out.",
-                             "import gyro7.driftbench run1.csv run2.csv", arguments->session);
+    CLI::App *part =
+        addPart(session, "import",
+                "Reads logs into the session, which is made if it is not there. A log that can't be "
+                "read does not keep the others out.",
+                "import gyro7.driftbench run1.csv run2.csv", arguments->session);
     part->add_option("RUN", arguments->input.files, "Logs of one sensor")->required();
     addReferenceRateOption(*part, arguments->input.referenceRateDps);
     addSensorOption(*part, arguments->input.sensor);
@@ -180,21 +184,24 @@ void addImport(CLI::App &session, Invocation &invocation)
 void addExportCsv(CLI::App &session, Invocation &invocation)
 {
     const auto arguments = std::make_shared<ExportCsvArguments>();
-    CLI::App *part = addPart(session, "export-csv", "Writes a run as a CSV log, what is damaged in it left out.",
-                             "export-csv gyro7.driftbench --run \"run 2\" --out run2.csv", arguments->session);
+    CLI::App *part =
+        addPart(session, "export-csv", "Writes a run as a CSV log, what is damaged in it left out.",
+                "export-csv gyro7.driftbench --run \"run 2\" --out run2.csv", arguments->session);
     part->add_option("--run", arguments->run, "Name of the run (default: the only one)")->type_name("NAME");
     part->add_option("--out", arguments->out, "File to write")->required()->type_name("FILE");
-    part->callback([arguments, &invocation] { invocation.run = [arguments] { return exportCsv(*arguments); }; });
+    part->callback(
+        [arguments, &invocation] { invocation.run = [arguments] { return exportCsv(*arguments); }; });
 }
 
 } // namespace
 
 void addSessionCommand(CLI::App &program, Invocation &invocation)
 {
-    CLI::App *session = addCommand(program, "session",
-                                   "Looks into a session file, which keeps a calibration with its runs, models, exports "
-                                   "and uploads; brings logs in and out.",
-                                   "driftbench-cli session info gyro7.driftbench");
+    CLI::App *session =
+        addCommand(program, "session",
+                   "Looks into a session file, which keeps a calibration with its runs, models, exports "
+                   "and uploads; brings logs in and out.",
+                   "driftbench-cli session info gyro7.driftbench");
     session->require_subcommand(1);
     const auto info = std::make_shared<SessionArguments>();
     addPart(*session, "info", "Prints what the session holds.", "info gyro7.driftbench", *info)
@@ -202,8 +209,8 @@ void addSessionCommand(CLI::App &program, Invocation &invocation)
     addImport(*session, invocation);
     addExportCsv(*session, invocation);
     const auto checked = std::make_shared<SessionArguments>();
-    addPart(*session, "check", "Reads the whole file and says what is damaged in it.", "check gyro7.driftbench",
-            *checked)
+    addPart(*session, "check", "Reads the whole file and says what is damaged in it.",
+            "check gyro7.driftbench", *checked)
         ->callback([checked, &invocation] { invocation.run = [checked] { return check(*checked); }; });
 }
 

@@ -119,7 +119,9 @@ void addQualityOptions(CLI::App &command, QualityOptions &quality)
 
 void addCampaignOptions(CLI::App &command, CampaignRequest &request)
 {
-    command.add_option("RUN", request.files, "Logs of one sensor: CSV, TSV, PX4 ULog, ArduPilot DataFlash; or one session")
+    command
+        .add_option("RUN", request.files,
+                    "Logs of one sensor: CSV, TSV, PX4 ULog, ArduPilot DataFlash; or one session")
         ->required();
     const auto reference = [&request](const std::string &text) {
         if (text == "hold") {

@@ -25,8 +25,8 @@ Result<ModelInput> openModel(const ModelChoice &choice)
 {
     if (!isSessionPath(choice.file)) {
         if (!choice.name.empty())
-            return Error{Errc::InvalidOption, "--name picks a model of a session, but " + choice.file +
-                                                  " is none; leave it out."};
+            return Error{Errc::InvalidOption,
+                         "--name picks a model of a session, but " + choice.file + " is none; leave it out."};
         auto model = loadModel(choice.file);
         if (!model)
             return model.error();
@@ -37,7 +37,8 @@ Result<ModelInput> openModel(const ModelChoice &choice)
         return session.error();
     const auto &result = (*session)->result();
     if (!result)
-        return Error{Errc::NoSuchRun, choice.file + " holds no models of its runs as they are now; train them with \"" +
+        return Error{Errc::NoSuchRun, choice.file +
+                                          " holds no models of its runs as they are now; train them with \"" +
                                           std::string(kProgramName) + " fit " + choice.file + "\"."};
     const std::string name = choice.name.empty() ? (*session)->exportChoice().model : choice.name;
     const TrainedModel *model = result->model(name);

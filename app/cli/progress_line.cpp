@@ -37,20 +37,19 @@ ProgressLine::~ProgressLine()
 ProgressHook ProgressLine::hook()
 {
     return [this](const Progress &progress) {
-        draw(progress);
+        show(std::string(progress.stage) + "  " + fixed(100.0 * progress.fraction, 0) + " %");
         return interrupted() ? Flow::Stop : Flow::Continue;
     };
 }
 
-void ProgressLine::draw(const Progress &progress)
+void ProgressLine::show(const std::string &text)
 {
     const auto now = std::chrono::steady_clock::now();
     if (!m_terminal || now < m_nextDraw)
         return;
     m_nextDraw = now + kBetweenDraws;
     m_drawn = true;
-    printNow(std::string(kWipe) + std::string(progress.stage) + "  " + fixed(100.0 * progress.fraction, 0) +
-             " %");
+    printNow(std::string(kWipe) + text);
 }
 
 } // namespace driftbench::cli

@@ -10,6 +10,7 @@
 #include "engine/base/progress.h"
 
 #include <chrono>
+#include <string>
 
 namespace driftbench::cli {
 
@@ -21,11 +22,10 @@ public:
     ProgressLine(const ProgressLine &) = delete;
     ProgressLine &operator=(const ProgressLine &) = delete;
 
-    ProgressHook hook(); // must not outlive this; may be called from one thread at a time
+    ProgressHook hook();                // must not outlive this; may be called from one thread at a time
+    void show(const std::string &text); // in place of the percentage
 
 private:
-    void draw(const Progress &progress);
-
     std::chrono::steady_clock::time_point m_nextDraw;
     bool m_terminal;
     bool m_drawn = false;

@@ -13,8 +13,9 @@ Result<std::optional<std::filesystem::path>> sessionAmong(const std::vector<std:
         return std::optional<std::filesystem::path>();
     if (files.size() > 1)
         return Error{Errc::InvalidOption,
-                     session->string() + " is a session and stands beside other runs; bring those into it with "
-                                         "\"session import\", or name logs alone."};
+                     session->string() +
+                         " is a session and stands beside other runs; bring those into it with "
+                         "\"session import\", or name logs alone."};
     return std::optional(*session);
 }
 
@@ -61,7 +62,8 @@ Result<CalibrationPlan> overridden(const Session &session, const PlanOverrides &
     return plan;
 }
 
-Result<PreparedCampaign> prepareSession(const Session &session, const CalibrationPlan &plan, const ProgressHook &hook)
+Result<PreparedCampaign> prepareSession(const Session &session, const CalibrationPlan &plan,
+                                        const ProgressHook &hook)
 {
     const auto runs = loadRuns(session.file(), plan, {}, hook);
     if (!runs)

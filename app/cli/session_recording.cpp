@@ -35,9 +35,10 @@ Result<RunId> interruptedRun(const Session &session)
         if (run->state == RunState::Interrupted)
             return run->id;
     }
-    return Error{Errc::NoSuchRun, session.path().string() +
-                                      " has no interrupted run that could be continued; leave out --continue for a new "
-                                      "one."};
+    return Error{Errc::NoSuchRun,
+                 session.path().string() +
+                     " has no interrupted run that could be continued; leave out --continue for a new "
+                     "one."};
 }
 
 RecorderOptions telling()
@@ -105,9 +106,10 @@ Status SessionRecording::finish(const RecordingOutcome & /*outcome*/)
 std::string SessionRecording::asText(const RecordingOutcome &outcome) const
 {
     const RunRecord *run = m_session->run(m_recorder->run());
-    std::string text = m_session->path().string() + ", " + (run ? run->description.name : std::string("run")) + ": " +
-                       std::to_string(outcome.state.samples) + " samples in " + fixed(outcome.state.durationS(), 1) +
-                       " s, " + std::to_string(outcome.state.lostSamples) + " lost";
+    std::string text =
+        m_session->path().string() + ", " + (run ? run->description.name : std::string("run")) + ": " +
+        std::to_string(outcome.state.samples) + " samples in " + fixed(outcome.state.durationS(), 1) +
+        " s, " + std::to_string(outcome.state.lostSamples) + " lost";
     if (run && run->samples != outcome.state.samples)
         text += "; " + std::to_string(run->samples) + " in the run";
     return text + "\n";

@@ -62,8 +62,8 @@ std::string resultText(const Session &session)
     text += "\n";
     for (std::size_t axis = 0; axis < kAxisNames.size(); ++axis) {
         const AxisVerdict &verdict = session.result()->figures.verdicts[axis];
-        text += "  " + std::string(kAxisNames[axis]) + ": " + std::string(verdictName(verdict.verdict)) + ", " +
-                verdict.model + ". " + verdict.reason + "\n";
+        text += "  " + std::string(kAxisNames[axis]) + ": " + std::string(verdictName(verdict.verdict)) +
+                ", " + verdict.model + ". " + verdict.reason + "\n";
     }
     return text;
 }
@@ -91,8 +91,8 @@ std::string logText(const Session &session)
                                  : "Log:\n";
     for (std::size_t i = first; i < events.size(); ++i) {
         const RunRecord *run = events[i].run ? session.run(*events[i].run) : nullptr;
-        text += "  " + events[i].utc.substr(0, 19) + "  " + (run ? run->description.name + ": " : std::string()) +
-                events[i].text + "\n";
+        text += "  " + events[i].utc.substr(0, 19) + "  " +
+                (run ? run->description.name + ": " : std::string()) + events[i].text + "\n";
     }
     return text;
 }

@@ -50,18 +50,18 @@ bool Acquisition::start(OpenSource open)
         m_thread.join();
     m_info.reset();
     m_sink = std::make_shared<AcquisitionSink>();
-    m_thread = std::jthread(
-        [this, sink = m_sink, open = std::move(open), post = m_mailbox.sender()](const std::stop_token &stop) {
-            auto source = open();
-            if (!source) {
-                post.post([this, error = source.error()] { sourceEnded(error); });
-                return;
-            }
-            post.post([this, info = (*source)->info()] { sourceStarted(info); });
-            auto outcome = (*source)->run(*sink, stop);
-            source->reset(); // closed before anyone hears of it, so that it can be opened again
-            post.post([this, outcome = std::move(outcome)] { sourceEnded(outcome); });
-        });
+    m_thread = std::jthread([this, sink = m_sink, open = std::move(open),
+                             post = m_mailbox.sender()](const std::stop_token &stop) {
+        auto source = open();
+        if (!source) {
+            post.post([this, error = source.error()] { sourceEnded(error); });
+            return;
+        }
+        post.post([this, info = (*source)->info()] { sourceStarted(info); });
+        auto outcome = (*source)->run(*sink, stop);
+        source->reset(); // closed before anyone hears of it, so that it can be opened again
+        post.post([this, outcome = std::move(outcome)] { sourceEnded(outcome); });
+    });
     setState(State::Opening);
     return true;
 }
@@ -116,8 +116,9 @@ Status Acquisition::mayRecord() const
     if (m_recording)
         return Error{Errc::InvalidOption, "The source is being recorded already; stop that first."};
     if (m_recorder)
-        return Error{Errc::InvalidOption, "The run before could not be written; write it again, or save what of it "
-                                          "is in memory, first."};
+        return Error{Errc::InvalidOption,
+                     "The run before could not be written; write it again, or save what of it "
+                     "is in memory, first."};
     return {};
 }
 
@@ -131,11 +132,13 @@ RecorderOptions Acquisition::forwarded(RecorderOptions options)
     return options;
 }
 
-Status Acquisition::startRecording(const SessionFile &file, const QString &runName, const RecorderOptions &options)
+Status Acquisition::startRecording(const SessionFile &file, const QString &runName,
+                                   const RecorderOptions &options)
 {
     if (Status may = mayRecord(); !may)
         return may;
-    auto recorder = RunRecorder::start(file, describeSource(*m_info, runName.toStdString()), forwarded(options));
+    auto recorder =
+        RunRecorder::start(file, describeSource(*m_info, runName.toStdString()), forwarded(options));
     if (!recorder)
         return recorder.error();
     record(*std::move(recorder));

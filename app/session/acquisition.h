@@ -1,9 +1,9 @@
 // A source of samples that runs on a thread of its own, watched by the thread that owns this object, with or
 // without being recorded. Recording starts and stops while the source goes on.
 //
-// Samples come as a batch about every 40 ms, in order with the gaps and events between them; the recorder gets
-// each block at once, on the thread of the source. A recorded run's time starts at 0 with its first sample,
-// whatever was watched before.
+// Samples come as a batch about every 40 ms, in order with the gaps and events between them; the recorder
+// gets each block at once, on the thread of the source. A recorded run's time starts at 0 with its first
+// sample, whatever was watched before.
 //
 // Everything is delivered by the owner's event loop; nothing is once the object is gone. Destroying it stops
 // the source, waits for it and finishes the recording.
@@ -57,7 +57,8 @@ public:
 
     // While the source runs. InvalidOption: it does not, or is recorded already; errors of the recorder.
     // A run that is begun or continued ends with recordingFinished, at the latest when the source ends.
-    Status startRecording(const SessionFile &file, const QString &runName, const RecorderOptions &options = {});
+    Status startRecording(const SessionFile &file, const QString &runName,
+                          const RecorderOptions &options = {});
     Status continueRecording(const SessionFile &file, RunId run, const RecorderOptions &options = {});
     // What waits is written by a thread of its own.
     void stopRecording();

@@ -66,7 +66,8 @@ void AcquisitionSink::gap(const SampleGap &gap)
         const std::lock_guard lock(m_recorderMutex);
         // One before the first recorded sample is not of the run.
         if (m_recorder && m_firstRecordedS)
-            m_recorder->gap({gap.startS - *m_firstRecordedS, gap.endS - *m_firstRecordedS, gap.lostSamples, gap.cause});
+            m_recorder->gap(
+                {gap.startS - *m_firstRecordedS, gap.endS - *m_firstRecordedS, gap.lostSamples, gap.cause});
     }
     const std::lock_guard lock(m_mutex);
     closeBlock();

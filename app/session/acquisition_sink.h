@@ -39,7 +39,8 @@ private:
     std::vector<SampleBlock> m_blocks; // behind the last item
     std::int64_t m_samples = 0;
 
-    mutable std::mutex m_recorderMutex; // held while it is called, so that none is called once it was taken away
+    mutable std::mutex
+        m_recorderMutex; // held while it is called, so that none is called once it was taken away
     std::shared_ptr<RunRecorder> m_recorder;
     std::optional<double> m_firstRecordedS;
     SampleBlock m_shifted;

@@ -201,6 +201,18 @@ std::int64_t Database::lastInsertId() const
     return sqlite3_last_insert_rowid(m_handle);
 }
 
+std::string Database::header() const
+{
+    constexpr int size = 100;
+    std::string bytes(size, '\0');
+    sqlite3_file *file = nullptr;
+    if (sqlite3_file_control(m_handle, "main", SQLITE_FCNTL_FILE_POINTER, &file) != SQLITE_OK ||
+        file == nullptr || file->pMethods == nullptr ||
+        file->pMethods->xRead(file, bytes.data(), size, 0) != SQLITE_OK)
+        bytes.clear();
+    return bytes;
+}
+
 bool Database::systemPermitsWriting() const
 {
     return sqlite3_db_readonly(m_handle, "main") == 0;

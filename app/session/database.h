@@ -123,6 +123,9 @@ public:
     }
 
     std::int64_t lastInsertId() const;
+    // The first 100 bytes of the file as they stand there, whatever its log holds; empty if there are fewer.
+    // Through SQLite's own descriptor: closing another one would drop its locks.
+    std::string header() const;
     bool systemPermitsWriting() const;
     void leaveLogOnClose() const; // what a crash left is left to others
     const std::filesystem::path &path() const { return m_path; }

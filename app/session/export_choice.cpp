@@ -36,7 +36,8 @@ ExportChoice choiceFrom(const Json &json)
         if (const auto format = exportFormatFromName(name.get<std::string>()))
             choice.formats.push_back(*format);
     }
-    choice.deviceTable = json.at("device_float").get<bool>() ? DeviceTableKind::Float : DeviceTableKind::FixedPoint;
+    choice.deviceTable =
+        json.at("device_float").get<bool>() ? DeviceTableKind::Float : DeviceTableKind::FixedPoint;
     choice.deviceThermometer =
         json.at("device_external").get<bool>() ? DeviceThermometer::External : DeviceThermometer::Die;
     return choice;

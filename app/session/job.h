@@ -1,7 +1,9 @@
 // Long work off the thread that owns it: progress comes as a signal, cancel() reaches the work at its next
-// report, and the outcome is delivered to the owner's event loop. Destroying a job cancels it and waits for it.
+// report, and the outcome is delivered to the owner's event loop. Destroying a job cancels it and waits for
+// it.
 //
-// A job runs one piece of work at a time. The work gets only values: what it needs is copied or shared into it.
+// A job runs one piece of work at a time. The work gets only values: what it needs is copied or shared into
+// it.
 #pragma once
 
 #include "app/session/owner_mailbox.h"
@@ -32,7 +34,7 @@ public:
     void cancel();
 
 signals:
-    void runningChanged(bool running); // false: before the job's own signal of its outcome
+    void runningChanged(bool running);                    // false: before the job's own signal of its outcome
     void progress(const QString &stage, double fraction); // at most 20 times a second
 
 protected:

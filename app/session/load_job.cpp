@@ -21,7 +21,8 @@ Result<RunId> importLog(const LoadInput &input, const std::filesystem::path &pat
         return recording.error();
     RunDescription description = describeRecording(recording->info, path.stem().string());
     description.referenceRateDps = input.referenceRateDps;
-    return input.file->importRun(*recording, std::move(description), part(kReadingShare, 1.0 - kReadingShare));
+    return input.file->importRun(*recording, std::move(description),
+                                 part(kReadingShare, 1.0 - kReadingShare));
 }
 
 } // namespace

@@ -1,6 +1,6 @@
-// How another thread reaches the objects of this one: closures are queued under a lock and run, in their order,
-// by the event loop of the thread that the mailbox lives in. Once the mailbox is gone, what is posted is
-// dropped; so a thread never calls a receiver that is dead.
+// How another thread reaches the objects of this one: closures are queued under a lock and run, in their
+// order, by the event loop of the thread that the mailbox lives in. Once the mailbox is gone, what is posted
+// is dropped; so a thread never calls a receiver that is dead.
 //
 //   OwnerMailbox mailbox;                        // a member, destroyed before what its closures use
 //   std::jthread([sender = mailbox.sender()] { sender.post([this] { ... }); });

@@ -1,5 +1,6 @@
-// Undo and redo of edits of the calibration plan: one value a step, so that an undo gives back exactly the plan
-// that was. An edit that changes nothing leaves no step; an edit after an undo drops what could be redone.
+// Undo and redo of edits of the calibration plan: one value a step, so that an undo gives back exactly the
+// plan that was. An edit that changes nothing leaves no step; an edit after an undo drops what could be
+// redone.
 #pragma once
 
 #include "app/session/calibration_plan.h"

@@ -119,8 +119,9 @@ Result<ComparisonOptions> comparisonOptions(const PreparedCampaign &prepared)
     for (const RunId run : plan.holdOut) {
         const PreparedRun *heldOut = prepared.find(run);
         if (!heldOut)
-            return Error{Errc::InvalidOption,
-                         "A run is to be held out that does not take part; let it take part, or hold out another."};
+            return Error{
+                Errc::InvalidOption,
+                "A run is to be held out that does not take part; let it take part, or hold out another."};
         options.holdOut.push_back(heldOut->checked.run.name);
     }
     return options;

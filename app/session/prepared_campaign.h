@@ -51,7 +51,8 @@ Result<PreparedCampaign> prepareCampaign(const CalibrationPlan &plan, const std:
 Result<ComparisonOptions> comparisonOptions(const PreparedCampaign &prepared);
 
 // Errors: the refusal of the campaign, those of compareModels. A stop keeps the models that are finished.
-Result<CalibrationResult> calibrate(const PreparedCampaign &prepared, const ProgressHook &hook = {},
-                                    const std::function<void(const std::string &, double)> &onModelTrained = {});
+Result<CalibrationResult>
+calibrate(const PreparedCampaign &prepared, const ProgressHook &hook = {},
+          const std::function<void(const std::string &, double)> &onModelTrained = {});
 
 } // namespace driftbench

@@ -76,8 +76,9 @@ Result<std::unique_ptr<Session>> Session::createUnnamed(const fs::path &folder)
     std::error_code code;
     fs::create_directories(folder, code);
     if (code)
-        return Error{Errc::OutputNotWritable, "The folder " + folder.string() + " for new sessions can't be made (" +
-                                                  code.message() + "); make room or permit it."};
+        return Error{Errc::OutputNotWritable, "The folder " + folder.string() +
+                                                  " for new sessions can't be made (" + code.message() +
+                                                  "); make room or permit it."};
     auto created = SessionFile::create(newUnnamedPath(folder), writtenByThis());
     if (!created)
         return created.error();
@@ -128,14 +129,15 @@ Result<std::shared_ptr<SessionFile>> Session::anotherFile() const
 
 Status Session::saveAs(const fs::path &file)
 {
-    const bool recording = std::any_of(m_runs.begin(), m_runs.end(), [](const RunRecord &run) {
-        return run.state == RunState::Recording;
-    });
+    const bool recording = std::any_of(m_runs.begin(), m_runs.end(),
+                                       [](const RunRecord &run) { return run.state == RunState::Recording; });
     if (recording)
-        return Error{Errc::InvalidOption, "The session is being recorded into; stop the recording, then name it."};
+        return Error{Errc::InvalidOption,
+                     "The session is being recorded into; stop the recording, then name it."};
     std::error_code code;
     if (fs::equivalent(file, path(), code))
-        return Error{Errc::InvalidOption, file.string() + " is this session's own file; choose another name."};
+        return Error{Errc::InvalidOption,
+                     file.string() + " is this session's own file; choose another name."};
     if (Status saved = isReadOnly() ? Status() : saveAgain(); !saved)
         return saved;
     if (Status copied = m_file.saveCopy(file); !copied)
@@ -171,7 +173,8 @@ Status Session::load()
         return runs;
     // What was measured is of use without them.
     std::vector<SessionEvent> problems;
-    for (const auto part : {&Session::loadSource, &Session::loadPlan, &Session::loadChoice, &Session::loadResult}) {
+    for (const auto part :
+         {&Session::loadSource, &Session::loadPlan, &Session::loadChoice, &Session::loadResult}) {
         if (const Status loaded = (this->*part)(); !loaded)
             problems.push_back({std::nullopt, 0, utcNow(), "problem", loaded.error().message});
     }

@@ -100,8 +100,8 @@ public:
     Status redo();
     const PlanHistory &history() const { return m_history; }
 
-    // Computed stages, as jobs deliver them. What was made by another plan than that of now is not taken, and a
-    // result only while the campaign that it was made from is there (InvalidOption).
+    // Computed stages, as jobs deliver them. What was made by another plan than that of now is not taken, and
+    // a result only while the campaign that it was made from is there (InvalidOption).
     const std::shared_ptr<const PreparedCampaign> &prepared() const { return m_prepared; }
     bool setPrepared(const std::shared_ptr<const PreparedCampaign> &prepared);
     const std::shared_ptr<const CalibrationResult> &result() const { return m_result; }

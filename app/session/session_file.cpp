@@ -45,7 +45,16 @@ Result<int> versionOf(const Database &database)
     return static_cast<int>(*version);
 }
 
-// The file's own pages only, so that nothing is written beside a file that is not ours to touch.
+std::int64_t bigEndianAt(const std::string &bytes, std::size_t at)
+{
+    std::int64_t value = 0;
+    for (std::size_t i = at; i < at + 4; ++i)
+        value = value * 256 + static_cast<unsigned char>(bytes[i]);
+    return value;
+}
+
+// By the file's header alone, so that nothing is written beside a file that is not ours to touch, and so that
+// one whose pages are still on their way from the log into it is known all the same.
 Status isOurs(const std::filesystem::path &path, const std::string &vfs)
 {
     std::error_code code;
@@ -56,11 +65,13 @@ Status isOurs(const std::filesystem::path &path, const std::string &vfs)
     const auto database = Database::open(path, DatabaseMode::Untouched, vfs);
     if (!database)
         return database.error();
-    const auto version = versionOf(*database);
-    if (version)
-        return {};
-    // What SQLite can't read as a database at all is some other file.
-    return version.error().code == Errc::SessionDamaged ? notASession(path) : version.error();
+    const std::string header = database->header();
+    if (!header.starts_with("SQLite format 3") || bigEndianAt(header, 68) != kSessionApplicationId)
+        return notASession(path);
+    const std::int64_t version = bigEndianAt(header, 60);
+    if (version > kSessionFormatVersion)
+        return tooNew(path, version);
+    return version < 1 ? Status(notASession(path)) : Status();
 }
 
 bool hasLog(const std::filesystem::path &path)

@@ -264,8 +264,9 @@ Status Session::setResult(const std::shared_ptr<const CalibrationResult> &result
     if (Status may = mayChange(); !may)
         return may;
     if (!m_prepared)
-        return Error{Errc::InvalidOption,
-                     "The calibration plan or the runs were changed since this result was begun; train again."};
+        return Error{
+            Errc::InvalidOption,
+            "The calibration plan or the runs were changed since this result was begun; train again."};
     m_result = result;
     const Status saved = save(Part::Result);
     emit resultChanged();

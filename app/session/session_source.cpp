@@ -182,31 +182,32 @@ Result<SourceChoice> sourceChoiceFromJson(const std::string &json)
     try {
         return choiceFrom(Json::parse(json));
     } catch (const Json::exception &problem) {
-        return Error{Errc::SessionDamaged, std::string("The source in the session is damaged (") + problem.what() +
-                                               "); choose it anew."};
+        return Error{Errc::SessionDamaged, std::string("The source in the session is damaged (") +
+                                               problem.what() + "); choose it anew."};
     }
 }
 
 Acquisition::OpenSource sourceOpener(SourceChoice choice, HidAccess access)
 {
-    return [choice = std::move(choice),
-            access = std::move(access)]() -> Result<std::unique_ptr<SampleSource>> {
-        auto opened = openSource(choice, access);
-        if (!opened)
-            return opened.error();
-        return std::unique_ptr<SampleSource>(std::make_unique<OwnedSource>(*std::move(opened)));
-    };
+    return
+        [choice = std::move(choice), access = std::move(access)]() -> Result<std::unique_ptr<SampleSource>> {
+            auto opened = openSource(choice, access);
+            if (!opened)
+                return opened.error();
+            return std::unique_ptr<SampleSource>(std::make_unique<OwnedSource>(*std::move(opened)));
+        };
 }
 
 OpenClient clientOpener(SourceChoice choice, HidAccess access)
 {
-    return [choice = std::move(choice), access = std::move(access)]() -> Result<std::shared_ptr<BridgeClient>> {
-        auto opened = openBridge(choice, access);
-        if (!opened)
-            return opened.error();
-        const auto kept = std::make_shared<OpenedBridge>(*std::move(opened));
-        return std::shared_ptr<BridgeClient>(kept, kept->client.get());
-    };
+    return
+        [choice = std::move(choice), access = std::move(access)]() -> Result<std::shared_ptr<BridgeClient>> {
+            auto opened = openBridge(choice, access);
+            if (!opened)
+                return opened.error();
+            const auto kept = std::make_shared<OpenedBridge>(*std::move(opened));
+            return std::shared_ptr<BridgeClient>(kept, kept->client.get());
+        };
 }
 
 } // namespace driftbench

@@ -124,7 +124,8 @@ Status Session::refreshRuns()
     if (Status read = readRuns(); !read)
         return read;
     const bool otherData = !std::equal(before.begin(), before.end(), m_runs.begin(), m_runs.end(), sameData);
-    const bool otherState = !std::equal(before.begin(), before.end(), m_runs.begin(), m_runs.end(), sameState);
+    const bool otherState =
+        !std::equal(before.begin(), before.end(), m_runs.begin(), m_runs.end(), sameState);
     if (!otherData && !otherState)
         return {};
     if (!otherData) {

@@ -1,5 +1,5 @@
-// What the programs remember of their user from one start to the next: a plain value, read once and passed in,
-// written in one place.
+// What the programs remember of their user from one start to the next: a plain value, read once and passed
+// in, written in one place.
 #pragma once
 
 #include <QByteArray>
@@ -23,8 +23,8 @@ struct Settings
     static constexpr int kMostRecent = 12;
 
     ThemeChoice theme = ThemeChoice::System;
-    QString language;            // "zh"; empty: the system's
-    QStringList recentSessions;  // the newest first, absolute
+    QString language;           // "zh"; empty: the system's
+    QStringList recentSessions; // the newest first, absolute
     QStringList recentLogs;
     QString lastSession;         // open at the end, to be opened again; empty: none
     QString lastFolder;          // of the file dialogs

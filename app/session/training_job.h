@@ -1,5 +1,5 @@
-// From the runs of a session to judged models, off the thread that owns it: reads what is not in memory, checks
-// the runs, trains and compares. A cancel while models are trained keeps those that are finished.
+// From the runs of a session to judged models, off the thread that owns it: reads what is not in memory,
+// checks the runs, trains and compares. A cancel while models are trained keeps those that are finished.
 //
 //   connect(&job, &TrainingJob::prepared, &session, &Session::setPrepared) and so on
 //   job.start(session.trainingInput());

@@ -1,10 +1,11 @@
 #include "engine/base/atomic_file.h"
 
+#include "engine/base/output_error.h"
+
 #include <cerrno>
 #include <cstdlib>
 #include <fcntl.h>
 #include <sys/stat.h>
-#include <system_error>
 #include <unistd.h>
 
 namespace driftbench {
@@ -12,22 +13,6 @@ namespace driftbench {
 namespace {
 
 constexpr std::size_t kBufferBytes = std::size_t{1} << 20;
-
-std::string reason(int errorNumber)
-{
-    return std::generic_category().message(errorNumber);
-}
-
-Error cannotWrite(const std::filesystem::path &target, int errorNumber)
-{
-    if (errorNumber == ENOSPC || errorNumber == EDQUOT) {
-        return {Errc::OutputFull,
-                target.string() +
-                    " was not written: no room is left on its disk. Make room or choose another folder."};
-    }
-    return {Errc::OutputNotWritable, target.string() + " can't be written: " + reason(errorNumber) +
-                                         ". Choose a folder that you may write to."};
-}
 
 } // namespace
 
@@ -58,7 +43,7 @@ Result<AtomicFile> AtomicFile::create(const std::filesystem::path &target)
     std::string name = (target.parent_path() / ("." + target.filename().string() + ".XXXXXX")).string();
     const int descriptor = ::mkostemp(name.data(), O_CLOEXEC);
     if (descriptor < 0)
-        return cannotWrite(target, errno);
+        return outputError(target, errno);
     // mkostemp makes the file private; the result should have the permissions of any new file.
     const mode_t mask = ::umask(0);
     ::umask(mask);
@@ -66,14 +51,14 @@ Result<AtomicFile> AtomicFile::create(const std::filesystem::path &target)
         const int errorNumber = errno;
         ::close(descriptor);
         ::unlink(name.c_str());
-        return cannotWrite(target, errorNumber);
+        return outputError(target, errorNumber);
     }
     return AtomicFile(target, name, descriptor);
 }
 
 Error AtomicFile::failure(int errorNumber) const
 {
-    return cannotWrite(m_target, errorNumber);
+    return outputError(m_target, errorNumber);
 }
 
 Status AtomicFile::flushBuffer()
@@ -136,11 +121,11 @@ Status ensureWritableFolder(const std::filesystem::path &folder)
     std::error_code code;
     std::filesystem::create_directories(folder, code);
     if (code)
-        return cannotWrite(folder, code.value());
+        return outputError(folder, code.value());
     if (!std::filesystem::is_directory(folder, code))
-        return cannotWrite(folder, ENOTDIR);
+        return outputError(folder, ENOTDIR);
     if (::access(folder.c_str(), W_OK | X_OK) != 0)
-        return cannotWrite(folder, errno);
+        return outputError(folder, errno);
     return {};
 }
 

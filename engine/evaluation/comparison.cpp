@@ -126,7 +126,8 @@ Result<Comparison> compareRecipes(const std::vector<ModelRecipe> &recipes, const
         return trained.error();
     const bool partly = !trained->unfinished.empty();
     if ((partly && (!options.keepFinished || trained->recipes.empty())) ||
-        (!partly && !options.keepFinished && report(hook, "Judging on held-out runs", kTrainingShare) == Flow::Stop))
+        (!partly && !options.keepFinished &&
+         report(hook, "Judging on held-out runs", kTrainingShare) == Flow::Stop))
         return Error{Errc::Cancelled, "The training was stopped before it was done; nothing was written."};
     Comparison comparison = judged(*trained, set, facts, *splits, options);
     report(hook, "Judging on held-out runs", 1.0);

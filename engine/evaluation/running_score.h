@@ -1,7 +1,8 @@
 // What is left of a rate that is still being measured, judged while it comes: mean square deviation (paper
 // Eq. 31) and the rms after averaging over windows of 10 s, per axis, in constant memory.
 //
-//   MSD = mean(r^2)        rms10s = sqrt(mean(mean_w(r)^2))        r = rate - reference, or less a model as well
+//   MSD = mean(r^2)        rms10s = sqrt(mean(mean_w(r)^2))        r = rate - reference, or less a model as
+//   well
 //
 // Windows are those of noise_floor.h, counted from the first sample on. A window counts where it is at least
 // half full; how many samples fill one is taken from the median of the first kIntervals intervals

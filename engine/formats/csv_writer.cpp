@@ -28,6 +28,20 @@ void appendNumber(std::string &text, double value, std::optional<int> decimals)
     text.append(buffer.data(), formatNumber(buffer.data(), value, decimals));
 }
 
+void appendCsvRows(std::string &text, const SampleBlock &block, Eigen::Index count, CsvDecimals decimals)
+{
+    for (Eigen::Index i = 0; i < count; ++i) {
+        appendNumber(text, block.timeS[i], decimals.time);
+        text += ',';
+        appendNumber(text, block.temperatureC[i], decimals.temperature);
+        for (Eigen::Index axis = 0; axis < 3; ++axis) {
+            text += ',';
+            appendNumber(text, block.rateDps(i, axis), decimals.rate);
+        }
+        text += '\n';
+    }
+}
+
 Result<CsvWriter> CsvWriter::create(const std::filesystem::path &path, CsvDecimals decimals,
                                     const std::vector<std::string> &commentLines)
 {

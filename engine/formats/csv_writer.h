@@ -28,6 +28,9 @@ struct CsvDecimals
 
 void appendNumber(std::string &text, double value, std::optional<int> decimals = {});
 
+// The block's first count rows, each with its line end.
+void appendCsvRows(std::string &text, const SampleBlock &block, Eigen::Index count, CsvDecimals decimals);
+
 class CsvWriter
 {
 public:

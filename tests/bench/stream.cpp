@@ -4,6 +4,7 @@
 //
 //   driftbench-stream [SECONDS of the stream, 20] [HZ, 10000]
 #include "device/bridge/bridge_source.h"
+#include "device/firmware/bridge_bytes.h"
 #include "device/simulated_bridge.h"
 #include "device/simulated_clock.h"
 #include "engine/physics/sensor_presets.h"
@@ -84,6 +85,10 @@ public:
                                    : report[0] == BRIDGE_REPORT_CONFIG ? m_recorded.config
                                                                        : m_recorded.status;
         std::copy(kept.begin(), kept.end(), report.begin());
+        // As many as were played back: fewer would mean that the device was reset.
+        if (report[0] == BRIDGE_REPORT_STATUS)
+            bridge_put_u32(&report[BRIDGE_STATUS_PRODUCED],
+                           static_cast<std::uint32_t>(m_next * BRIDGE_SAMPLES_PER_REPORT));
         return kept.size();
     }
     Status sendFeature(std::span<const std::uint8_t> report) override

@@ -1,5 +1,5 @@
-// A source that plays a script: blocks of samples, gaps, events, waits; then it ends, fails, or goes on until it
-// is stopped. Sample i of the script has time i / rateHz, temperature i and rates i, -i, i / 2.
+// A source that plays a script: blocks of samples, gaps, events, waits; then it ends, fails, or goes on until
+// it is stopped. Sample i of the script has time i / rateHz, temperature i and rates i, -i, i / 2.
 #pragma once
 
 #include "device/sample_source.h"

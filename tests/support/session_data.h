@@ -102,7 +102,8 @@ template <class Columns>
 bool sameBits(const Columns &a, const Columns &b)
 {
     return a.rows() == b.rows() && a.cols() == b.cols() &&
-           std::memcmp(a.data(), b.data(), static_cast<std::size_t>(a.size()) * sizeof(*a.data())) == 0;
+           (a.size() == 0 ||
+            std::memcmp(a.data(), b.data(), static_cast<std::size_t>(a.size()) * sizeof(*a.data())) == 0);
 }
 
 inline bool sameSamples(const Recording &a, const Recording &b)

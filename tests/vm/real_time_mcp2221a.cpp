@@ -7,7 +7,7 @@ namespace driftbench::test {
 
 namespace {
 
-constexpr std::uint8_t kGyroAddress = 0x69;
+constexpr std::uint8_t kGyroAddress = 0x6B;
 constexpr std::chrono::microseconds kPoll{500}; // reports are a millisecond apart
 
 // 64 bytes in and 64 bytes out on the vendor's page, without ids.
@@ -19,7 +19,7 @@ constexpr std::array<std::uint8_t, 27> kDescriptor{
 } // namespace
 
 RealTimeMcp2221a::RealTimeMcp2221a()
-    : m_gyro("I3G4250D", m_clock), m_chip(m_clock, m_bus), m_aheadS(m_clock.nowS() - SteadyClock().nowS())
+    : m_gyro("L3GD20H", m_clock), m_chip(m_clock, m_bus), m_aheadS(m_clock.nowS() - SteadyClock().nowS())
 {
     m_bus.attach(kGyroAddress, m_gyro);
 }
@@ -31,7 +31,7 @@ std::span<const std::uint8_t> RealTimeMcp2221a::descriptor()
 
 void RealTimeMcp2221a::catchUp()
 {
-    m_clock.moveTo(SteadyClock().nowS() + m_aheadS);
+    m_clock.advanceTo(SteadyClock().nowS() + m_aheadS);
 }
 
 Result<std::size_t> RealTimeMcp2221a::read(std::span<std::uint8_t> report, std::chrono::milliseconds timeout)

@@ -1,4 +1,4 @@
-// The MCP2221A of the tests with an I3G4250D on its bus, as a device that lives in real time: its simulated
+// The MCP2221A of the tests with an L3GD20H on its bus, as a device that lives in real time: its simulated
 // clock follows the steady one. Thread-safe.
 #pragma once
 
@@ -26,7 +26,7 @@ private:
     void catchUp();
 
     std::mutex m_mutex;
-    SimClock m_clock;
+    SimulatedClock m_clock{0.0}; // stands still but for catchUp and the models
     I2cBusModel m_bus;
     GyroModel m_gyro;
     Mcp2221aModel m_chip;

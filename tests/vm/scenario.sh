@@ -21,6 +21,13 @@ check() {
     fi
 }
 
+# needs COMMAND: of driftbench-cli; the scenario is skipped, aloud, in a build without it.
+needs() {
+    "$cli" "$1" 2>&1 | grep -q "no command or option" || return 0
+    echo "RESULT $SCENARIO: skipped, driftbench-cli has no command $1"
+    exit 0
+}
+
 # waited SECONDS COMMAND...: until it succeeds.
 waited() {
     local tries=$(($1 * 10))

@@ -1,7 +1,7 @@
 // A HID device that the kernel can't tell from one that is plugged in, for the scenarios of tests/vm:
 //
 //   virtual_hid bridge SERIAL   the reference firmware over the gyro simulator, in real time
-//   virtual_hid mcp2221a        an MCP2221A with an I3G4250D
+//   virtual_hid mcp2221a        an MCP2221A with an L3GD20H
 //
 // It is plugged in at once and goes at the end of its input. Commands, one a line, each answered by a line
 // "ok", "samples N dropped M" or "what: ...":
@@ -37,7 +37,6 @@ public:
     {
         SimulatedBoardOptions options = realTimeBoard(kProfileS);
         options.simulation.sensor.serial = serial;
-        options.ringReports = 64;
         m_board = *SimulatedBoard::create(std::move(options));
     }
 

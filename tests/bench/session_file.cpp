@@ -1,0 +1,194 @@
+// driftbench-session-bench FOLDER: what recording into a session file costs, and how fast one is opened and
+// read. The samples are those of a gyro at 10 kHz: counts at 8.75 mdps, hundredths of a degree, microseconds.
+#include "app/session/session_file.h"
+#include "app/session/run_recorder.h"
+#include "engine/base/random.h"
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <string>
+#include <sys/resource.h>
+#include <thread>
+
+using namespace driftbench;
+
+namespace {
+
+constexpr double kRateHz = 10000.0;
+constexpr Eigen::Index kBlock = 400;          // 40 ms
+constexpr std::int64_t kRecorded = 6'000'000; // 10 minutes
+constexpr std::int64_t kLarge = 50'000'000;
+constexpr double kSpeed = 20.0; // times real time, at which the recorder is fed
+
+double nowS()
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+double processorS(int whose = RUSAGE_SELF)
+{
+    rusage usage{};
+    ::getrusage(whose, &usage);
+    const auto seconds = [](const timeval &t) {
+        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+    };
+    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+double peakMegabytes()
+{
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+// The same second of noise over and over. (+ 0.0: counts have no negative zero.)
+class Stream
+{
+public:
+    Stream() : m_noise(SampleBlock::withRows(static_cast<Eigen::Index>(kRateHz)))
+    {
+        Random random(1);
+        for (Eigen::Index i = 0; i < m_noise.size(); ++i) {
+            m_noise.temperatureC[i] = std::round(2500.0 + random.normal()) / 100.0;
+            for (int axis = 0; axis < 3; ++axis)
+                m_noise.rateDps(i, axis) = (std::round(random.normal() * 16.0) + 0.0) * 875.0 / 100000.0;
+        }
+    }
+    void fill(std::int64_t first, Eigen::Index count, double *timeS, double *temperatureC,
+              Eigen::MatrixX3d &rates, Eigen::Index row) const
+    {
+        for (Eigen::Index i = 0; i < count; ++i)
+            timeS[i] = static_cast<double>((first + i) * 100) / 1e6;
+        const Eigen::Index from = static_cast<Eigen::Index>(first % m_noise.size());
+        std::memcpy(temperatureC, m_noise.temperatureC.data() + from,
+                    static_cast<std::size_t>(count) * sizeof(double));
+        rates.middleRows(row, count) = m_noise.rateDps.middleRows(from, count);
+    }
+
+private:
+    SampleBlock m_noise;
+};
+
+void fail(const std::string &what)
+{
+    std::fprintf(stderr, "%s\n", what.c_str());
+    std::exit(1);
+}
+
+template <class T>
+T need(Result<T> result)
+{
+    if (!result)
+        fail(result.error().message);
+    return std::move(*result);
+}
+
+void record(const std::filesystem::path &path, const Stream &stream)
+{
+    auto file = need(SessionFile::create(path));
+    SourceInfo source{"benchmark", {"L3GD20H", "BENCH"}, kRateHz, 245.0, true, false};
+    SampleBlock block = SampleBlock::withRows(kBlock);
+    const double processorBefore = processorS();
+    const double started = nowS();
+    double feedingS = 0.0;
+    RunId run = 0;
+    {
+        RecorderOptions options;
+        options.commitEveryS /= kSpeed; // as many commits a second of the stream as in real time
+        auto recorder = need(RunRecorder::start(file, describeSource(source, "run"), options));
+        run = recorder->run();
+        for (std::int64_t at = 0; at < kRecorded; at += kBlock) {
+            const double feed = processorS(RUSAGE_THREAD);
+            stream.fill(at, kBlock, block.timeS.data(), block.temperatureC.data(), block.rateDps, 0);
+            feedingS += processorS(RUSAGE_THREAD) - feed;
+            recorder->samples(block, kBlock);
+            const double aheadS = static_cast<double>(at) / kRateHz / kSpeed - (nowS() - started);
+            if (aheadS > 0.002)
+                std::this_thread::sleep_for(std::chrono::duration<double>(aheadS));
+        }
+        if (const Status finished = recorder->finish(); !finished)
+            fail(finished.error().message);
+        const RecorderStats stats = recorder->stats();
+        std::printf(
+            "record: %lld samples taken, %lld written, %lld commits, longest %.3f s, most waiting %.1f MB\n",
+            static_cast<long long>(stats.taken), static_cast<long long>(stats.written),
+            static_cast<long long>(stats.commits), stats.longestCommitS,
+            static_cast<double>(stats.largestQueuedBytes) / 1e6);
+    }
+    const double usedS = processorS() - processorBefore - feedingS;
+    std::printf("record: %.2f %% of a core, %.0f MB of memory at most\n",
+                usedS / (static_cast<double>(kRecorded) / kRateHz) * 100.0, peakMegabytes());
+    const Recording back = need(file.readRun(run));
+    SampleBlock same = SampleBlock::withRows(kBlock);
+    std::int64_t different = back.size() == kRecorded ? 0 : kRecorded;
+    for (std::int64_t at = 0; different == 0 && at < kRecorded; at += kBlock) {
+        stream.fill(at, kBlock, same.timeS.data(), same.temperatureC.data(), same.rateDps, 0);
+        const bool equal = same.timeS == back.timeS.segment(at, kBlock) &&
+                           same.temperatureC == back.temperatureC.segment(at, kBlock) &&
+                           same.rateDps == back.rateDps.middleRows(at, kBlock);
+        different += equal ? 0 : kBlock;
+    }
+    std::printf("record: %lld samples differ\n", static_cast<long long>(different));
+}
+
+void makeLarge(const std::filesystem::path &path, const Stream &stream)
+{
+    auto file = need(SessionFile::create(path));
+    Recording recording;
+    recording.timeS.resize(kLarge);
+    recording.temperatureC.resize(kLarge);
+    recording.rateDps.resize(kLarge, 3);
+    for (std::int64_t at = 0; at < kLarge; at += kBlock)
+        stream.fill(at, kBlock, recording.timeS.data() + at, recording.temperatureC.data() + at,
+                    recording.rateDps, at);
+    const double started = nowS();
+    need(file.importRun(recording, describeRecording({}, "large")));
+    std::printf("import: %.1f M samples in %.1f s\n", static_cast<double>(kLarge) / 1e6, nowS() - started);
+}
+
+void readLarge(const std::filesystem::path &path)
+{
+    double started = nowS();
+    const auto file = need(SessionFile::open(path, SessionAccess::ReadWrite));
+    const auto runs = need(file.runs());
+    std::printf("open: %lld samples in %.4f s\n", static_cast<long long>(runs[0].samples), nowS() - started);
+    for (int time = 0; time < 2; ++time) {
+        started = nowS();
+        const double processorBefore = processorS();
+        const Recording back = need(file.readRun(runs[0].id));
+        const double megabytes = static_cast<double>(back.size()) * 40.0 / 1e6;
+        std::printf("read: %.0f MB of columns in %.2f s: %.0f MB/s; %.0f MB per second of a core\n",
+                    megabytes, nowS() - started, megabytes / (nowS() - started),
+                    megabytes / (processorS() - processorBefore));
+    }
+}
+
+void size(const char *what, const std::filesystem::path &path, std::int64_t samples)
+{
+    const auto bytes = static_cast<double>(std::filesystem::file_size(path));
+    std::printf("%s: %.1f MB on disk, %.2f bytes a sample\n", what, bytes / 1e6,
+                bytes / static_cast<double>(samples));
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    const std::filesystem::path folder = argc > 1 ? argv[1] : ".";
+    const Stream stream;
+    const auto recorded = folder / "recorded.driftbench";
+    const auto large = folder / "large.driftbench";
+    std::filesystem::remove(recorded);
+    std::filesystem::remove(large);
+    record(recorded, stream);
+    size("record", recorded, kRecorded);
+    makeLarge(large, stream);
+    size("large", large, kLarge);
+    readLarge(large);
+    std::filesystem::remove(recorded);
+    std::filesystem::remove(large);
+}
