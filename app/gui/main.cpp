@@ -1,40 +1,100 @@
 // driftbench: the workbench.
 //
-//   --bench-first-paint   prints the time from main() to the first paint of the window, and ends
+//   driftbench [FILES]     opens logs and sessions
+//   --bench-first-paint    prints the time from main() to the first paint of the window, and ends
 #include "app/gui/app_context.h"
 #include "app/gui/event_log.h"
+#include "app/gui/language.h"
 #include "app/gui/main_window.h"
+#include "app/gui/workbench.h"
 #include "widgets/style/theme.h"
 
 #include <QApplication>
+#include <QCommandLineParser>
 #include <QElapsedTimer>
+#include <QSettings>
+#include <QStandardPaths>
 #include <QTimer>
 
 #include <cstdio>
 
+namespace driftbench {
+
+static ThemeMode modeOf(ThemeChoice choice)
+{
+    return choice == ThemeChoice::System  ? ThemeMode::System
+           : choice == ThemeChoice::Light ? ThemeMode::Light
+                                          : ThemeMode::Dark;
+}
+
+static std::filesystem::path sessionFolder()
+{
+    const QString data = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation);
+    return std::filesystem::path(data.toStdString()) / "sessions";
+}
+
+static int run(QApplication &application, const QElapsedTimer &sinceStart)
+{
+    QCommandLineParser parser;
+    parser.setApplicationDescription(
+        QStringLiteral("Calibrates the temperature drift of MEMS gyros. Headless: driftbench-cli."));
+    parser.addHelpOption();
+    parser.addVersionOption();
+    const QCommandLineOption firstPaint(QStringLiteral("bench-first-paint"),
+                                        QStringLiteral("Prints the time to the first paint, and ends."));
+    parser.addOption(firstPaint);
+    parser.addPositionalArgument(QStringLiteral("files"), QStringLiteral("Logs and sessions to open."),
+                                 QStringLiteral("[files...]"));
+    parser.process(application);
+
+    QSettings store;
+    const Settings settings = loadSettings(store);
+    Language language;
+    language.set(settings.language);
+    Theme theme;
+    theme.setMode(modeOf(settings.theme));
+    EventLog events;
+    Navigator navigator;
+    auto bench = Workbench::create({sessionFolder()}, settings);
+    if (!bench) {
+        std::fprintf(stderr, "driftbench: %s\n", bench.error().message.c_str());
+        return static_cast<int>(bench.error().code);
+    }
+    QObject::connect(bench->get(), &Workbench::settingsChanged, &store,
+                     [&] { saveSettings((*bench)->settings(), store); });
+    AppContext context{theme, events, navigator, bench->get()};
+    MainWindow window(context, language);
+    const bool timed = parser.isSet(firstPaint);
+    window.onFirstPaint([&window, &sinceStart, timed, files = parser.positionalArguments()] {
+        if (timed) {
+            std::printf("first paint after %lld ms\n", static_cast<long long>(sinceStart.elapsed()));
+            std::fflush(stdout);
+            return QTimer::singleShot(0, qApp, &QCoreApplication::quit);
+        }
+        QTimer::singleShot(0, &window, [&window, files] {
+            window.restoreSession();
+            std::vector<std::filesystem::path> paths;
+            for (const QString &file : files)
+                paths.emplace_back(file.toStdString());
+            if (!paths.empty())
+                window.openFiles(paths);
+        });
+    });
+    window.show();
+    return QApplication::exec();
+}
+
+} // namespace driftbench
+
 int main(int argc, char **argv)
 {
-    using namespace driftbench;
     QElapsedTimer sinceStart;
     sinceStart.start();
-    const QApplication application(argc, argv);
+    QApplication application(argc, argv);
     QApplication::setApplicationName(QStringLiteral("driftbench"));
     QApplication::setOrganizationName(QStringLiteral("driftbench"));
     QApplication::setApplicationDisplayName(QStringLiteral("Driftbench"));
     QApplication::setApplicationVersion(QStringLiteral(DRIFTBENCH_VERSION));
     QApplication::setDesktopFileName(QStringLiteral("driftbench"));
-
-    Theme theme;
-    EventLog events;
-    Navigator navigator;
-    AppContext context{theme, events, navigator};
-    MainWindow window(context);
-    if (QApplication::arguments().contains(QStringLiteral("--bench-first-paint"))) {
-        window.onFirstPaint([&sinceStart] {
-            std::printf("first paint after %lld ms\n", static_cast<long long>(sinceStart.elapsed()));
-            QTimer::singleShot(0, qApp, &QCoreApplication::quit);
-        });
-    }
-    window.show();
-    return QApplication::exec();
+    return driftbench::run(application, sinceStart);
 }

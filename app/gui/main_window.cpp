@@ -2,33 +2,65 @@
 
 #include "app/gui/main_window_menus.h"
 #include "app/gui/pages/page_list.h"
-#include "app/gui/shortcut_overview.h"
+#include "app/gui/pages/source_page.h"
+#include "app/gui/source_status.h"
 #include "app/gui/status_line.h"
 #include "app/gui/step_rail.h"
+#include "app/gui/workbench.h"
 #include "widgets/style/theme.h"
 
-#include <QDockWidget>
+#include <QAbstractButton>
+#include <QApplication>
+#include <QComboBox>
+#include <QDragEnterEvent>
 #include <QEvent>
 #include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QMenuBar>
+#include <QMimeData>
 #include <QScrollArea>
-#include <QSettings>
 #include <QStackedWidget>
+#include <QUndoStack>
 
 namespace driftbench {
 
 // What a page needs beside rail, menu bar and status bar in a window of 1280 x 720; in a smaller one it
 // scrolls.
-static constexpr QSize kLeastPage(1096, 660);
-static constexpr QSize kFirstSize(1280, 720);
+static constexpr QSize kLeastPage(1096, 670);
 
-MainWindow::MainWindow(AppContext &context, QWidget *parent)
+MainWindow::MainWindow(AppContext &context, Language &language, QWidget *parent)
     : QMainWindow(parent)
     , m_context(context)
+    , m_bench(*context.workbench)
+    , m_language(language)
     , m_menus(std::make_unique<Menus>())
     , m_rail(new StepRail(this))
     , m_stack(new QStackedWidget(this))
     , m_scroll(new QScrollArea(this))
     , m_status(new StatusLine(this))
+    , m_sourceStatus(new SourceStatus(m_bench, this))
+    , m_corner(new TextLabel(TextRole::Note, this))
+{
+    setAcceptDrops(true);
+    buildCentre();
+    buildMenus();
+    buildEventLog();
+    buildPages();
+    connectBench();
+    logEvents();
+    retranslate();
+    showSession();
+    restoreWindow();
+    qApp->installEventFilter(this);
+    page(m_step)->entered();
+    m_rail->setCurrentStep(m_step);
+    m_menus->steps[static_cast<std::size_t>(m_step)]->setChecked(true);
+    showStatus();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::buildCentre()
 {
     auto *centre = new QWidget(this);
     auto *columns = new QHBoxLayout(centre);
@@ -43,47 +75,68 @@ MainWindow::MainWindow(AppContext &context, QWidget *parent)
     columns->addWidget(m_scroll, 1);
     setCentralWidget(centre);
     setStatusBar(m_status);
-
-    buildMenus();
-    buildEventLog();
-    for (const Step step : kSteps)
-        addPage(step, makePage(step, m_context));
-    connect(m_rail, &StepRail::stepChosen, this, &MainWindow::showStep);
-    connect(&m_context.navigator, &Navigator::stepRequested, this, &MainWindow::showStep);
-    connect(&m_context.theme, &Theme::changed, this, [this] { showStatus(); });
-    retranslate();
-    restoreWindow();
-    showStep(Step::Source);
+    m_corner->setContentsMargins(0, 0, 16, 1);
+    menuBar()->setCornerWidget(m_corner, Qt::TopRightCorner);
 }
 
-MainWindow::~MainWindow() = default;
-
-void MainWindow::addPage(Step step, Page *page)
+void MainWindow::buildPages()
 {
-    m_pages[static_cast<std::size_t>(step)] = page;
-    m_stack->addWidget(page);
-    page->initialise();
-    connect(page, &Page::stateChanged, this, [this, step] {
-        showStateOf(step);
-        if (step == m_step)
-            showStatus();
-    });
-    showStateOf(step);
+    for (const Step step : kSteps) {
+        Page *page = makePage(step, m_context);
+        m_pages[static_cast<std::size_t>(step)] = page;
+        m_stack->addWidget(page);
+        page->initialise();
+        connect(page, &Page::stateChanged, this, [this, step] {
+            showStateOf(step);
+            if (step == m_step)
+                showStatus();
+        });
+        if (QUndoStack *undo = page->undoStack()) {
+            connect(undo, &QUndoStack::indexChanged, this, &MainWindow::showUndo);
+            connect(undo, &QUndoStack::cleanChanged, this, &MainWindow::showUndo);
+        }
+    }
+    m_stack->setCurrentWidget(page(m_step));
+}
+
+void MainWindow::connectBench()
+{
+    connect(m_rail, &StepRail::stepChosen, this, &MainWindow::showStep);
+    connect(&m_context.navigator, &Navigator::stepRequested, this, &MainWindow::showStep);
+    connect(m_sourceStatus, &SourceStatus::changed, this, &MainWindow::showStatus);
+    connect(&m_bench, &Workbench::planChanged, this, &MainWindow::showUndo);
+    for (const auto signal : {&Workbench::nameChanged, &Workbench::savedChanged, &Workbench::runsChanged,
+                              &Workbench::testPlanChanged, &Workbench::sessionReplaced})
+        connect(&m_bench, signal, this, &MainWindow::showSession);
+    // A stage that is set empties the later ones: the rail shows all of it at once.
+    for (const auto signal :
+         {&Workbench::sessionReplaced, &Workbench::sourceChanged, &Workbench::testPlanChanged,
+          &Workbench::runsChanged, &Workbench::planChanged, &Workbench::preparedChanged,
+          &Workbench::resultChanged, &Workbench::uploadsChanged, &Workbench::exportsChanged})
+        connect(&m_bench, signal, this, [this] {
+            for (const Step step : kSteps)
+                showStateOf(step);
+        });
+}
+
+SourcePage &MainWindow::sourcePage() const
+{
+    return static_cast<SourcePage &>(*page(Step::Source));
 }
 
 void MainWindow::showStep(Step step)
 {
-    Page *next = page(step);
-    if (m_stack->currentWidget() == next && m_rail->currentIndex().isValid() && m_step == step)
+    if (m_step == step)
         return;
-    Page *before = page(m_step);
-    if (before != next)
-        before->left();
+    page(m_step)->left();
     m_step = step;
+    Page *next = page(step);
     m_stack->setCurrentWidget(next);
     m_rail->setCurrentStep(step);
     next->entered();
     m_menus->steps[static_cast<std::size_t>(step)]->setChecked(true);
+    showSessionMenu();
+    showUndo();
     showStatus();
 }
 
@@ -96,11 +149,24 @@ void MainWindow::showStatus()
 {
     const Page &current = *page(m_step);
     m_status->setHints(current.hints());
-    std::vector<StatusPart> parts = current.statusParts();
-    if (current.origin() != Origin::None)
-        parts.push_back({OriginChip::words(current.origin()), Tone::Plain});
+    std::vector<StatusPart> parts = m_sourceStatus->parts();
+    for (const StatusPart &part : current.statusParts())
+        parts.push_back(part);
+    if (const StatusPart room = m_sourceStatus->room(); !room.text.isEmpty())
+        parts.push_back(room);
+    Origin origin = current.origin();
+    if (origin == Origin::None && m_bench.isSourceSimulated())
+        origin = Origin::Simulated;
+    if (origin != Origin::None)
+        parts.push_back({OriginChip::words(origin), Tone::Plain});
     m_status->setParts(parts);
     showSaveAction();
+}
+
+void MainWindow::openFiles(const std::vector<std::filesystem::path> &files)
+{
+    showStep(Step::Source);
+    sourcePage().openFiles(files);
 }
 
 void MainWindow::paintEvent(QPaintEvent *event)
@@ -119,23 +185,44 @@ void MainWindow::changeEvent(QEvent *event)
 
 void MainWindow::closeEvent(QCloseEvent *event)
 {
+    if (!mayClose())
+        return event->ignore();
     saveWindow();
     QMainWindow::closeEvent(event);
 }
 
-void MainWindow::restoreWindow()
+void MainWindow::dragEnterEvent(QDragEnterEvent *event)
 {
-    const QSettings settings;
-    resize(kFirstSize);
-    restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
-    restoreState(settings.value(QStringLiteral("window/state")).toByteArray());
+    for (const QUrl &url : event->mimeData()->urls()) {
+        if (url.isLocalFile())
+            return event->acceptProposedAction();
+    }
 }
 
-void MainWindow::saveWindow() const
+void MainWindow::dropEvent(QDropEvent *event)
 {
-    QSettings settings;
-    settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
-    settings.setValue(QStringLiteral("window/state"), saveState());
+    std::vector<std::filesystem::path> files;
+    for (const QUrl &url : event->mimeData()->urls()) {
+        if (url.isLocalFile())
+            files.emplace_back(url.toLocalFile().toStdString());
+    }
+    event->acceptProposedAction();
+    openFiles(files);
+}
+
+// A control that has the focus keeps Space and Enter for itself, though a page may have an action on them.
+bool MainWindow::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto *key = static_cast<QKeyEvent *>(event);
+        const bool own = key->key() == Qt::Key_Space &&
+                         (qobject_cast<QAbstractButton *>(watched) || qobject_cast<QComboBox *>(watched));
+        if (own && key->modifiers() == Qt::NoModifier) {
+            event->accept();
+            return true;
+        }
+    }
+    return QMainWindow::eventFilter(watched, event);
 }
 
 } // namespace driftbench

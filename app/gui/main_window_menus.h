@@ -14,12 +14,13 @@ namespace driftbench {
 struct MainWindow::Menus
 {
     QMenu *file = nullptr, *edit = nullptr, *view = nullptr, *session = nullptr, *help = nullptr;
-    QMenu *theme = nullptr, *language = nullptr;
+    QMenu *recent = nullptr, *theme = nullptr, *language = nullptr;
 
-    QAction *open = nullptr, *save = nullptr, *quit = nullptr;
-    QAction *undo = nullptr, *redo = nullptr, *copy = nullptr;
-    QAction *eventLog = nullptr, *fullScreen = nullptr;
+    QAction *newSession = nullptr, *open = nullptr, *save = nullptr, *saveAs = nullptr, *quit = nullptr;
+    QAction *undo = nullptr, *redo = nullptr;
+    QAction *eventLog = nullptr, *copyLog = nullptr, *fullScreen = nullptr;
     QAction *themeSystem = nullptr, *themeLight = nullptr, *themeDark = nullptr;
+    QAction *systemLanguage = nullptr;
     QAction *shortcuts = nullptr, *about = nullptr, *aboutQt = nullptr;
     std::array<QAction *, kSteps.size()> steps{};
 

@@ -56,6 +56,7 @@ void Workbench::connectSession()
 {
     const Session *from = m_session.get();
     connect(from, &Session::nameChanged, this, &Workbench::nameChanged);
+    connect(from, &Session::sourceChanged, this, &Workbench::sourceChanged);
     connect(from, &Session::testPlanChanged, this, &Workbench::testPlanChanged);
     connect(from, &Session::runsChanged, this, &Workbench::runsChanged);
     connect(from, &Session::planChanged, this, &Workbench::planChanged);
@@ -157,7 +158,8 @@ void Workbench::rememberSession()
 Status Workbench::saveSessionAs(const std::filesystem::path &file)
 {
     if (m_acquisition.isRecording())
-        return Error{Errc::SessionInUse, "A run is being recorded into this session; stop it, then give it a name."};
+        return Error{Errc::SessionInUse,
+                     "A run is being recorded into this session; stop it, then give it a name."};
     if (const Status saved = m_session->saveAs(file); !saved)
         return saved;
     rememberSession();
@@ -173,8 +175,10 @@ void Workbench::take(std::unique_ptr<Session> session)
     m_session->disconnect(this);
     m_session = std::move(session);
     connectSession();
+    m_choice = m_session->source();
     emit sessionReplaced();
     emit nameChanged();
+    emit sourceChanged();
     emit testPlanChanged();
     emit runsChanged();
     emit planChanged();
@@ -206,6 +210,13 @@ void Workbench::setSourceChoice(const SourceChoice &choice)
     emit sourceChanged();
 }
 
+Status Workbench::useSource()
+{
+    if (!m_choice)
+        return Error{Errc::InvalidOption, "No source is chosen; choose a bridge or a log."};
+    return m_session->setSource(*m_choice);
+}
+
 bool Workbench::isSourceSimulated() const
 {
     return m_choice && m_choice->as<SimulatedChoice>();
@@ -234,7 +245,9 @@ SourceChoice Workbench::choiceFor(SourceUse use) const
         simulated->flashFile = m_options.sessionFolder / "simulated-bridge.flash";
     const auto &plan = m_session->testPlan();
     if (use == SourceUse::Watch) {
-        const double startC = plan ? plan->lowestC : simulated->profile ? simulated->profile->startC() : -40.0;
+        const double startC = plan                 ? plan->lowestC
+                              : simulated->profile ? simulated->profile->startC()
+                                                   : -40.0;
         if (auto hold = TemperatureProfile::build("watch", startC, {HoldSegment{kWatchedHoldS}}))
             simulated->profile = *std::move(hold);
         simulated->speed = 1.0;
@@ -264,18 +277,18 @@ bool Workbench::openNow()
 {
     const SourceChoice choice = choiceFor(m_use);
     const auto sender = m_mailbox.sender();
-    return m_acquisition.start([this, choice, access = m_options.devices,
-                                sender]() -> Result<std::unique_ptr<SampleSource>> {
-        auto opened = openSource(choice, access);
-        if (!opened)
-            return opened.error();
-        sender.post([this, board = std::weak_ptr(opened->board), identity = opened->identity] {
-            m_board = board;
-            if (m_watch && !identity.path.empty())
-                m_watch->setInUse({identity});
+    return m_acquisition.start(
+        [this, choice, access = m_options.devices, sender]() -> Result<std::unique_ptr<SampleSource>> {
+            auto opened = openSource(choice, access);
+            if (!opened)
+                return opened.error();
+            sender.post([this, board = std::weak_ptr(opened->board), identity = opened->identity] {
+                m_board = board;
+                if (m_watch && !identity.path.empty())
+                    m_watch->setInUse({identity});
+            });
+            return std::unique_ptr<SampleSource>(std::make_unique<OpenedSampleSource>(*std::move(opened)));
         });
-        return std::unique_ptr<SampleSource>(std::make_unique<OpenedSampleSource>(*std::move(opened)));
-    });
 }
 
 void Workbench::stopSource()
@@ -312,8 +325,10 @@ void Workbench::lookAgain()
 OpenClient Workbench::clientOpener() const
 {
     if (!m_choice)
-        return [] { return Result<std::shared_ptr<BridgeClient>>(
-            Error{Errc::DeviceNotFound, "No bridge is chosen; choose one on the Source page."}); };
+        return [] {
+            return Result<std::shared_ptr<BridgeClient>>(
+                Error{Errc::DeviceNotFound, "No bridge is chosen; choose one on the Source page."});
+        };
     return [choice = choiceFor(SourceUse::Record),
             access = m_options.devices]() -> Result<std::shared_ptr<BridgeClient>> {
         auto opened = openBridge(choice, access);

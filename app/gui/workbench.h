@@ -62,10 +62,12 @@ public:
     void changeSettings(const std::function<void(Settings &)> &change);
 
     // Source
+    // What is looked at; it becomes the session's source when it is used.
     const std::optional<SourceChoice> &sourceChoice() const { return m_choice; }
     void setSourceChoice(const SourceChoice &choice); // stops what was watched
-    bool isSourceSimulated() const;                   // the choice, not the runs
-    QString sourceName() const;                       // "Simulated bridge", "run1.csv"; empty: none chosen
+    Status useSource();
+    bool isSourceSimulated() const; // the choice, not the runs
+    QString sourceName() const;     // "Simulated bridge", "run1.csv"; empty: none chosen
     Acquisition &acquisition() { return m_acquisition; }
     // Opens the choice and lets it run; what runs is stopped first. False: no choice, or a run is recorded.
     bool startSource(SourceUse use);
@@ -107,7 +109,7 @@ signals:
     void savedChanged(); // saving failed, or works again
 
     void settingsChanged();
-    void sourceChanged(); // the choice
+    void sourceChanged(); // the choice, or the session's
     void devicesChanged();
     void problem(const driftbench::Error &error); // of a job or of saving, for the event log
 

@@ -73,7 +73,8 @@ Json besideText(const SimulatedChoice &choice)
             {"spread", orNull(choice.spread)},
             {"clock_error_ppm", choice.clockErrorPpm},
             {"external_thermometer", choice.externalThermometer},
-            {"flash_file", choice.flashFile.string()}};
+            {"flash_file", choice.flashFile.string()},
+            {"drift", choice.drift}};
 }
 
 Json besideText(const NativeChoice &choice)
@@ -110,6 +111,7 @@ void readBeside(const Json &json, SimulatedChoice &choice)
     choice.clockErrorPpm = json.at("clock_error_ppm").get<double>();
     choice.externalThermometer = json.at("external_thermometer").get<bool>();
     choice.flashFile = json.at("flash_file").get<std::string>();
+    choice.drift = json.value("drift", std::string());
 }
 
 void readBeside(const Json &json, NativeChoice &choice)

@@ -1,5 +1,5 @@
-// Plan: sensor, chamber and profile of a campaign, and what follows from them. Becomes the session's test plan
-// when it is used.
+// Plan: sensor, chamber and profile of a campaign, and what follows from them. Becomes the session's test
+// plan when it is used.
 #pragma once
 
 #include "app/gui/page.h"
@@ -65,7 +65,7 @@ private:
     SectionHead *m_runHead, *m_intervalHead, *m_periodHead;
     ProfileView *m_profile;
     IntervalPanel *m_interval;
-    PeriodPanel *m_period;
+    PeriodPanel *m_period = nullptr;
     QAction *m_use, *m_files, *m_open, *m_save, *m_steps, *m_ramps;
     QString m_dismissed; // the sentence of the banner that the user has closed
 };

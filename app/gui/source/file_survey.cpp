@@ -154,8 +154,9 @@ void surveyLog(FileSurvey &survey, const ProgressHook &hook)
     survey.kind = FileKind::Log;
     const auto format = detectFormat(survey.path);
     if (!format)
-        return expectOf(survey, format.error().code == Errc::FileNotFound ? tr("Not there any more")
-                                                                          : tr("Unknown format"),
+        return expectOf(survey,
+                        format.error().code == Errc::FileNotFound ? tr("Not there any more")
+                                                                  : tr("Unknown format"),
                         Tone::Bad);
     survey.format = formatText(logFormatName(*format));
     std::error_code code;
@@ -169,7 +170,7 @@ void surveyLog(FileSurvey &survey, const ProgressHook &hook)
     const auto first = std::find_if(instances->begin(), instances->end(),
                                     [](const LogInstance &instance) { return instance.hasTemperature(); });
     if (instances->size() > 1 && first != instances->end())
-        read.instance = first->instance;
+        survey.instance = read.instance = first->instance;
     auto recording = readLog(survey.path, read, hook);
     if (!recording)
         return expectOf(survey, tr("Can't be read"), Tone::Bad);

@@ -1,5 +1,5 @@
-// What is in a file that may become a source, as the list of recent files shows it: found by reading it whole,
-// so not on a thread that draws.
+// What is in a file that may become a source, as the list of recent files shows it: found by reading it
+// whole, so not on a thread that draws.
 #pragma once
 
 #include "engine/base/progress.h"
@@ -10,6 +10,7 @@
 #include <QString>
 
 #include <filesystem>
+#include <optional>
 
 namespace driftbench {
 
@@ -34,7 +35,9 @@ struct FileSurvey
     double lowestC = 0.0, highestC = 0.0;
     bool hasTemperature = false;
     SensorIdentity sensor;
-    bool isTrainable = false; // on its own merits; whether there is another run to judge it by is not its affair
+    std::optional<int> instance; // the gyro that was looked at, of several in the log
+    bool isTrainable =
+        false; // on its own merits; whether there is another run to judge it by is not its affair
     QString expect;
     Tone tone = Tone::Plain;
 };
