@@ -244,8 +244,8 @@ void TestWidgetsTables::modelsTable_running_hasItsBarAndNote()
     QCOMPARE(model.index(1, time).data(kProgressRole).toDouble(), 0.4);
     QCOMPARE(model.index(1, time + 1).data(kSpanRole).toInt(), 6);
     QCOMPARE(model.index(2, 0).data().toString(), QStringLiteral("Noise floor"));
-    QCOMPARE(durationText(0.0001), QStringLiteral("< 1 ms"));
-    QCOMPARE(durationText(12.94), QStringLiteral("12.9 s"));
+    QCOMPARE(trainingTimeText(0.0001), QStringLiteral("< 1 ms"));
+    QCOMPARE(trainingTimeText(12.94), QStringLiteral("12.9 s"));
 }
 
 // One run and axis a row, by hand.

@@ -7,7 +7,7 @@
 
 namespace driftbench {
 
-QString durationText(double seconds)
+QString trainingTimeText(double seconds)
 {
     if (!std::isfinite(seconds))
         return {};
@@ -78,7 +78,7 @@ QString ModelsTableModel::textOf(const ModelLine &line, int column) const
     case Parameters:
         return line.parameters > 0 ? numberText(line.parameters, 0) : QString();
     case Time:
-        return durationText(line.timeS);
+        return trainingTimeText(line.timeS);
     default:
         break;
     }

@@ -82,6 +82,6 @@ private:
 };
 
 // "310 ms", "12.9 s", "< 1 ms".
-QString durationText(double seconds);
+QString trainingTimeText(double seconds);
 
 } // namespace driftbench

@@ -5,6 +5,7 @@
 #include "app/gui/export/export_preview.h"
 #include "app/gui/page.h"
 #include "app/session/job.h"
+#include "app/session/session_records.h"
 
 #include <filesystem>
 #include <memory>

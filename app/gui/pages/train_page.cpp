@@ -275,17 +275,17 @@ void TrainPage::showResult()
         m_shown = session.result();
         m_shownCampaign = session.prepared();
         if (fresh) {
-            const CentresData data = centresData(*m_shownCampaign, *m_shown);
+            const CentresData shown = centresData(*m_shownCampaign, *m_shown);
             const QString origin =
                 m_shown->figures.simulated ? OriginChip::words(Origin::Simulated) : QString();
             for (CentresView *view : {m_losses, m_curves}) {
-                view->setData(data);
+                view->setData(shown);
                 view->setOrigin(origin);
             }
             m_options->setNote(
-                data.selection
+                shown.selection
                     ? tr("Centres: the fewest that do as well as the best on runs left out. Here %1.")
-                          .arg(centresText(data.selection->chosen))
+                          .arg(centresText(shown.selection->chosen))
                     : QString());
         }
     } else if (session.result() && !session.prepared() && isVisible()) {
