@@ -1,83 +1,236 @@
-// The frame of the window: rail, pages, menus, keys, colours.
-#include "app/gui/app_context.h"
-#include "app/gui/event_log.h"
-#include "app/gui/main_window.h"
+// The frame of the window: rail, pages, menus, keys, colours, the session as a file, files that are dropped.
+#include "support/gui_window.h"
+
+#include "app/gui/shortcut_overview.h"
+#include "app/gui/start/guided_tour.h"
+#include "app/gui/start/simulated_tour.h"
+#include "app/gui/start/start_page.h"
 #include "app/gui/status_line.h"
 #include "app/gui/step_rail.h"
-#include "widgets/style/theme.h"
+#include "engine/physics/test_plan.h"
 
-#include <QStandardPaths>
+#include <QAbstractButton>
+#include <QAbstractSpinBox>
+#include <QAction>
+#include <QSignalSpy>
 #include <QTest>
 
+#include <map>
+
 using namespace driftbench;
+using namespace driftbench::test;
 
 class TestGuiFrame : public QObject
 {
     Q_OBJECT
 
 private slots:
-    void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
     void rail_everyStep_isNeverLocked();
     void keys_altAndNumber_showTheStep();
     void theme_switched_reachesEveryPalette();
+    void session_named_isSaidInTheCorner();
+    void session_otherOpened_reachesTheRail();
+    void plan_undone_byTheFramesAction();
+    void shortcuts_noKeyTwiceOnOnePage();
+    void controls_ofEveryPage_haveNames();
+    void window_small_scrolls();
+    void start_firstTime_offersTheTour();
+    void tour_steps_goOnWhenTheyAreDone();
+    void tour_firstSteps_doTheRealThing();
 };
 
-namespace {
-
-struct Window
+static TestPlan paperPlan()
 {
-    Theme theme;
-    EventLog events;
-    Navigator navigator;
-    AppContext context{theme, events, navigator};
-    MainWindow main{context};
-
-    Window()
-    {
-        main.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&main));
-    }
-};
-
-} // namespace
+    return *makeTestPlan(*namedSensor("L3GD20H"), *namedChamber("SET-Z-021"));
+}
 
 void TestGuiFrame::rail_everyStep_isNeverLocked()
 {
-    Window window;
+    GuiWindow window;
     for (const Step step : kSteps) {
-        const QModelIndex row = window.main.rail().model()->index(static_cast<int>(step), 0);
+        const QModelIndex row = window.main().rail().model()->index(static_cast<int>(step), 0);
         QVERIFY(row.flags() & Qt::ItemIsEnabled);
-        QTest::mouseClick(window.main.rail().viewport(), Qt::LeftButton, {},
-                          window.main.rail().visualRect(row).center());
-        QCOMPARE(window.main.currentStep(), step);
-        QVERIFY(window.main.page(step)->isVisible());
-        QVERIFY(!window.main.page(step)->hints().isEmpty());
+        QTest::mouseClick(window.main().rail().viewport(), Qt::LeftButton, {},
+                          window.main().rail().visualRect(row).center());
+        QCOMPARE(window.main().currentStep(), step);
+        QVERIFY(window.main().page(step)->isVisible());
+        QVERIFY(!window.main().page(step)->hints().isEmpty());
     }
 }
 
 void TestGuiFrame::keys_altAndNumber_showTheStep()
 {
-    Window window;
+    GuiWindow window;
     for (const Step step : {Step::Export, Step::Plan, Step::Record}) {
-        QTest::keyClick(&window.main, Qt::Key(Qt::Key_1 + static_cast<int>(step)), Qt::AltModifier);
-        QCOMPARE(window.main.currentStep(), step);
-        QCOMPARE(window.main.rail().currentIndex().row(), static_cast<int>(step));
+        QTest::keyClick(&window.main(), Qt::Key(Qt::Key_1 + static_cast<int>(step)), Qt::AltModifier);
+        QCOMPARE(window.main().currentStep(), step);
+        QCOMPARE(window.main().rail().currentIndex().row(), static_cast<int>(step));
     }
 }
 
 void TestGuiFrame::theme_switched_reachesEveryPalette()
 {
-    Window window;
+    GuiWindow window;
     for (const ThemeMode mode : {ThemeMode::Dark, ThemeMode::Light}) {
         window.theme.setMode(mode);
         QCoreApplication::processEvents();
         const Palette &wanted = mode == ThemeMode::Dark ? darkPalette() : lightPalette();
-        const auto widgets = window.main.findChildren<QWidget *>();
-        QVERIFY(!widgets.isEmpty());
-        for (const QWidget *widget : widgets)
+        for (const QWidget *widget : window.main().findChildren<QWidget *>())
             QCOMPARE(lookOf(widget->palette()).dark, wanted.dark);
-        QCOMPARE(window.main.grab().toImage().pixelColor(window.main.width() - 6, 400), wanted.page);
+        QCOMPARE(window.main().grab().toImage().pixelColor(window.main().width() - 6, 400), wanted.page);
     }
+}
+
+void TestGuiFrame::session_named_isSaidInTheCorner()
+{
+    GuiWindow window;
+    QVERIFY(window.main().sessionText().contains("not saved yet"));
+    QVERIFY(window.bench->session().setTestPlan(paperPlan()).ok());
+    const auto file = window.folder() / "five-runs.driftbench";
+    QVERIFY(window.bench->saveSessionAs(file).ok());
+    QCOMPARE(window.main().sessionText(), QString("Session: five-runs.driftbench · saved"));
+    QCOMPARE(window.bench->settings().recentSessions.value(0), QString::fromStdString(file.string()));
+}
+
+void TestGuiFrame::session_otherOpened_reachesTheRail()
+{
+    GuiWindow window;
+    QVERIFY(window.bench->session().setTestPlan(paperPlan()).ok());
+    StepModel &steps = window.main().rail().steps();
+    QCOMPARE(steps.state(Step::Plan).note, QString("−40 to 85 °C"));
+    QCOMPARE(steps.state(Step::Plan).mark, StepMark::Done);
+    const auto file = window.folder() / "plan.driftbench";
+    QVERIFY(window.bench->saveSessionAs(file).ok());
+    QVERIFY(window.bench->newSession().ok());
+    QCOMPARE(steps.state(Step::Plan).mark, StepMark::None);
+    window.main().openFiles({file});
+    QCOMPARE(steps.state(Step::Plan).mark, StepMark::Done);
+}
+
+void TestGuiFrame::plan_undone_byTheFramesAction()
+{
+    GuiWindow window;
+    window.main().showStep(Step::Plan);
+    QAction *undo = window.context.actions.undo;
+    QVERIFY(!undo->isEnabled());
+    auto &page = static_cast<PlanPage &>(*window.main().page(Step::Plan));
+    TestPlan changed = page.plan();
+    changed.stepC = 1.0;
+    page.edit(changed);
+    QVERIFY(undo->isEnabled());
+    undo->trigger();
+    QCOMPARE(page.plan().stepC, 0.5);
+    window.context.actions.redo->trigger();
+    QCOMPARE(page.plan().stepC, 1.0);
+    window.main().showStep(Step::Inspect);
+    QVERIFY(!undo->isEnabled()); // the session has no edits
+}
+
+void TestGuiFrame::shortcuts_noKeyTwiceOnOnePage()
+{
+    GuiWindow window;
+    std::map<QKeySequence, int> everywhere;
+    for (const QAction *action : window.main().actions()) {
+        for (const QKeySequence &keys : action->shortcuts())
+            QCOMPARE(++everywhere[keys], 1);
+    }
+    for (const Step step : kSteps) {
+        std::map<QKeySequence, int> seen = everywhere;
+        for (const QAction *action : window.main().page(step)->pageActions()) {
+            for (const QKeySequence &keys : action->shortcuts())
+                QVERIFY2(++seen[keys] == 1, qPrintable(stepName(step) + ": " + keys.toString()));
+        }
+    }
+}
+
+void TestGuiFrame::controls_ofEveryPage_haveNames()
+{
+    GuiWindow window;
+    for (const Step step : {Step::Source, Step::Plan}) {
+        window.main().showStep(step);
+        for (const QWidget *widget : window.main().page(step)->findChildren<QWidget *>()) {
+            const bool inside = qobject_cast<const QAbstractSpinBox *>(widget->parentWidget()) ||
+                                widget->objectName().startsWith("qt_");
+            if (inside || !widget->isVisible() || !(widget->focusPolicy() & Qt::TabFocus))
+                continue;
+            const auto *button = qobject_cast<const QAbstractButton *>(widget);
+            const bool named = !widget->accessibleName().isEmpty() || (button && !button->text().isEmpty());
+            const QWidget *parent = widget->parentWidget();
+            QVERIFY2(named || (parent && !parent->accessibleName().isEmpty()),
+                     qPrintable(stepName(step) + ": " + widget->metaObject()->className()));
+        }
+    }
+}
+
+void TestGuiFrame::window_small_scrolls()
+{
+    GuiWindow window;
+    window.main().resize(800, 500);
+    QCoreApplication::processEvents();
+    QVERIFY(window.main().width() <= 800);
+    QVERIFY(window.main().page(Step::Source)->width() >= 1096);
+}
+
+void TestGuiFrame::start_firstTime_offersTheTour()
+{
+    GuiWindow first;
+    first.main().restoreSession();
+    QVERIFY(first.main().isAtStart());
+    QVERIFY(!first.main().rail().currentIndex().isValid());
+    QTest::keyClick(&first.main(), Qt::Key_2, Qt::AltModifier);
+    QVERIFY(!first.main().isAtStart());
+    QCOMPARE(first.main().currentStep(), Step::Plan);
+
+    Settings settings;
+    settings.recentLogs << "/logs/run1.csv";
+    GuiWindow later(settings);
+    later.main().restoreSession();
+    QVERIFY(!later.main().isAtStart());
+}
+
+void TestGuiFrame::tour_steps_goOnWhenTheyAreDone()
+{
+    int performed = 0;
+    int carriedOn = 0;
+    TourStep work{Step::Record};
+    work.perform = [&] { ++performed; };
+    work.carryOn = [&] { ++carriedOn; };
+    work.isDone = [&] { return carriedOn >= 3; };
+    TourStep look{Step::Compare};
+    GuidedTour tour({work, look});
+    QSignalSpy pages(&tour, &GuidedTour::pageWanted);
+    QSignalSpy finished(&tour, &GuidedTour::finished);
+    tour.start();
+    QCOMPARE(tour.at(), 0);
+    tour.next();
+    QVERIFY(tour.isWorking());
+    tour.next(); // while it works: nothing
+    QCOMPARE(performed, 1);
+    QTRY_COMPARE(tour.at(), 1);
+    QCOMPARE(carriedOn, 3);
+    tour.next(); // nothing to do there but to look
+    QCOMPARE(finished.count(), 1);
+    QVERIFY(!tour.isActive());
+    QCOMPARE(pages.count(), 2);
+}
+
+void TestGuiFrame::tour_firstSteps_doTheRealThing()
+{
+    GuiWindow window;
+    window.main().showStart();
+    window.main().startPage().tour().click();
+    QVERIFY(window.main().tour().isActive());
+    QCOMPARE(window.main().currentStep(), Step::Source);
+    window.main().tour().next();
+    QTRY_COMPARE(window.main().tour().at(), 1);
+    QVERIFY(window.bench->session().source()->as<SimulatedChoice>());
+    QVERIFY(window.bench->session().source()->as<SimulatedChoice>()->speed > 100.0);
+    window.main().tour().next();
+    QTRY_COMPARE(window.main().tour().at(), 2);
+    QCOMPARE(window.bench->session().testPlan()->runs, kTourRuns);
+    QCOMPARE(window.main().currentStep(), Step::Record);
+    window.main().tour().stop();
+    QVERIFY(!window.main().tour().isActive());
 }
 
 QTEST_MAIN(TestGuiFrame)

@@ -28,17 +28,21 @@ static QFileDialog *makeDialog(QWidget &parent, Workbench &bench, const QString 
 
 static OnFiles firstOf(OnFile chosen)
 {
-    return [chosen = std::move(chosen)](const std::vector<std::filesystem::path> &files) { chosen(files.front()); };
+    return [chosen = std::move(chosen)](const std::vector<std::filesystem::path> &files) {
+        chosen(files.front());
+    };
 }
 
-void askOpenFile(QWidget &parent, Workbench &bench, const QString &title, const QString &filter, OnFile chosen)
+void askOpenFile(QWidget &parent, Workbench &bench, const QString &title, const QString &filter,
+                 OnFile chosen)
 {
     QFileDialog *dialog = makeDialog(parent, bench, title, filter, firstOf(std::move(chosen)));
     dialog->setFileMode(QFileDialog::ExistingFile);
     dialog->open();
 }
 
-void askOpenFiles(QWidget &parent, Workbench &bench, const QString &title, const QString &filter, OnFiles chosen)
+void askOpenFiles(QWidget &parent, Workbench &bench, const QString &title, const QString &filter,
+                  OnFiles chosen)
 {
     QFileDialog *dialog = makeDialog(parent, bench, title, filter, std::move(chosen));
     dialog->setFileMode(QFileDialog::ExistingFiles);

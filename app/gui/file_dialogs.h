@@ -16,8 +16,10 @@ class Workbench;
 using OnFile = std::function<void(const std::filesystem::path &)>;
 using OnFiles = std::function<void(const std::vector<std::filesystem::path> &)>;
 
-void askOpenFile(QWidget &parent, Workbench &bench, const QString &title, const QString &filter, OnFile chosen);
-void askOpenFiles(QWidget &parent, Workbench &bench, const QString &title, const QString &filter, OnFiles chosen);
+void askOpenFile(QWidget &parent, Workbench &bench, const QString &title, const QString &filter,
+                 OnFile chosen);
+void askOpenFiles(QWidget &parent, Workbench &bench, const QString &title, const QString &filter,
+                  OnFiles chosen);
 void askSaveFile(QWidget &parent, Workbench &bench, const QString &title, const QString &filter,
                  const QString &name, OnFile chosen);
 

@@ -71,15 +71,13 @@ static int run(QApplication &application, const QElapsedTimer &sinceStart)
             std::fflush(stdout);
             return QTimer::singleShot(0, qApp, &QCoreApplication::quit);
         }
-        QTimer::singleShot(0, &window, [&window, files] {
-            window.restoreSession();
-            std::vector<std::filesystem::path> paths;
-            for (const QString &file : files)
-                paths.emplace_back(file.toStdString());
-            if (!paths.empty())
-                window.openFiles(paths);
-        });
+        std::vector<std::filesystem::path> paths;
+        for (const QString &file : files)
+            paths.emplace_back(file.toStdString());
+        if (!paths.empty())
+            QTimer::singleShot(0, &window, [&window, paths] { window.openFiles(paths); });
     });
+    window.restoreSession();
     window.show();
     return QApplication::exec();
 }

@@ -4,6 +4,10 @@
 #include "app/gui/pages/page_list.h"
 #include "app/gui/pages/source_page.h"
 #include "app/gui/source_status.h"
+#include "app/gui/start/coach_strip.h"
+#include "app/gui/start/guided_tour.h"
+#include "app/gui/start/simulated_tour.h"
+#include "app/gui/start/start_page.h"
 #include "app/gui/status_line.h"
 #include "app/gui/step_rail.h"
 #include "app/gui/workbench.h"
@@ -46,6 +50,7 @@ MainWindow::MainWindow(AppContext &context, Language &language, QWidget *parent)
     buildMenus();
     buildEventLog();
     buildPages();
+    buildStart();
     connectBench();
     logEvents();
     retranslate();
@@ -72,7 +77,10 @@ void MainWindow::buildCentre()
     m_scroll->setFrameShape(QFrame::NoFrame);
     m_scroll->setFocusPolicy(Qt::NoFocus);
     m_scroll->setWidget(m_stack);
-    columns->addWidget(m_scroll, 1);
+    m_places = new QVBoxLayout;
+    m_places->setSpacing(0);
+    m_places->addWidget(m_scroll, 1);
+    columns->addLayout(m_places, 1);
     setCentralWidget(centre);
     setStatusBar(m_status);
     m_corner->setContentsMargins(0, 0, 16, 1);
@@ -97,6 +105,49 @@ void MainWindow::buildPages()
         }
     }
     m_stack->setCurrentWidget(page(m_step));
+}
+
+void MainWindow::buildStart()
+{
+    m_start = new StartPage;
+    m_stack->addWidget(m_start);
+    m_tour = new GuidedTour(simulatedTour(*this, m_bench), this);
+    m_coach = new CoachStrip(*m_tour);
+    m_places->addWidget(m_coach);
+    connect(m_start, &StartPage::tourChosen, this, &MainWindow::startTour);
+    connect(m_start, &StartPage::bridgeChosen, this, [this] { showStep(Step::Source); });
+    connect(m_start, &StartPage::filesChosen, this, &MainWindow::askOpen);
+    connect(m_tour, &GuidedTour::pageWanted, this, &MainWindow::showStep);
+}
+
+bool MainWindow::isAtStart() const
+{
+    return m_stack->currentWidget() == m_start;
+}
+
+void MainWindow::showStart()
+{
+    if (isAtStart())
+        return;
+    page(m_step)->left();
+    m_stack->setCurrentWidget(m_start);
+    m_rail->clearCurrentStep();
+    m_start->setFocus();
+    showStatus();
+}
+
+void MainWindow::startTour()
+{
+    if (m_bench.acquisition().isRecording())
+        return tell(Error{Errc::SessionInUse, "A run is being recorded; stop it before the tour."});
+    const Session &session = m_bench.session();
+    const bool fresh =
+        session.isUnnamed() && session.runs().empty() && !session.testPlan() && !session.source();
+    if (!fresh) {
+        if (const Status made = m_bench.newSession(); !made)
+            return tell(made);
+    }
+    m_tour->start();
 }
 
 void MainWindow::connectBench()
@@ -126,9 +177,10 @@ SourcePage &MainWindow::sourcePage() const
 
 void MainWindow::showStep(Step step)
 {
-    if (m_step == step)
+    if (m_step == step && !isAtStart())
         return;
-    page(m_step)->left();
+    if (!isAtStart())
+        page(m_step)->left();
     m_step = step;
     Page *next = page(step);
     m_stack->setCurrentWidget(next);
@@ -148,7 +200,8 @@ void MainWindow::showStateOf(Step step)
 void MainWindow::showStatus()
 {
     const Page &current = *page(m_step);
-    m_status->setHints(current.hints());
+    m_status->setHints(isAtStart() ? tr("Tab next · Enter choose · Ctrl+O open files · Alt+1 to 7 steps")
+                                   : current.hints());
     std::vector<StatusPart> parts = m_sourceStatus->parts();
     for (const StatusPart &part : current.statusParts())
         parts.push_back(part);

@@ -4,6 +4,7 @@
 
 #include "app/gui/app_context.h"
 #include "app/gui/page.h"
+#include "engine/base/result.h"
 
 #include <QMainWindow>
 
@@ -16,13 +17,17 @@
 class QDockWidget;
 class QScrollArea;
 class QStackedWidget;
+class QVBoxLayout;
 
 namespace driftbench {
 
+class CoachStrip;
+class GuidedTour;
 class Language;
 class ShortcutOverview;
 class SourcePage;
 class SourceStatus;
+class StartPage;
 class StatusLine;
 class StepRail;
 class Workbench;
@@ -37,6 +42,11 @@ public:
     ~MainWindow() override;
 
     void showStep(Step step);
+    void showStart(); // what a newcomer sees first
+    void startTour(); // in a new session
+    GuidedTour &tour() const { return *m_tour; }
+    StartPage &startPage() const { return *m_start; }
+    bool isAtStart() const;
     Step currentStep() const { return m_step; }
     Page *page(Step step) const { return m_pages[static_cast<std::size_t>(step)]; }
     StepRail &rail() const { return *m_rail; }
@@ -63,6 +73,7 @@ private:
 
     void buildCentre();
     void buildPages();
+    void buildStart();
     void connectBench();
 
     // main_window_menus.cpp
@@ -109,9 +120,13 @@ private:
     StepRail *m_rail;
     QStackedWidget *m_stack;
     QScrollArea *m_scroll;
+    QVBoxLayout *m_places = nullptr; // the pages, and under them the tour
     StatusLine *m_status;
     SourceStatus *m_sourceStatus;
     TextLabel *m_corner;
+    StartPage *m_start = nullptr;
+    GuidedTour *m_tour = nullptr;
+    CoachStrip *m_coach = nullptr;
     QDockWidget *m_eventDock = nullptr;
     ShortcutOverview *m_shortcuts = nullptr;
     std::array<Page *, kSteps.size()> m_pages{};

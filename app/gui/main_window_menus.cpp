@@ -168,7 +168,9 @@ void MainWindow::buildHelpMenu()
     m.about->setMenuRole(QAction::AboutRole);
     m.aboutQt = addWindowAction({}, [] { QApplication::aboutQt(); });
     m.aboutQt->setMenuRole(QAction::AboutQtRole);
-    m.help->addAction(m.shortcuts);
+    m.start = addWindowAction({}, [this] { showStart(); });
+    m.tour = addWindowAction({}, [this] { startTour(); });
+    m.help->addActions({m.start, m.tour, m.shortcuts});
     m.help->addSeparator();
     m.help->addActions({m.about, m.aboutQt});
 }
@@ -238,6 +240,8 @@ void MainWindow::retranslateMenus()
     m.systemLanguage->setText(tr("As the &system"));
     m.fullScreen->setText(tr("&Full screen"));
     m.eventLog->setText(tr("&Event log"));
+    m.start->setText(tr("&Start page"));
+    m.tour->setText(tr("&Guided tour"));
     m.shortcuts->setText(tr("&Keyboard shortcuts"));
     m.about->setText(tr("&About Driftbench"));
     m.aboutQt->setText(tr("About &Qt"));

@@ -21,6 +21,7 @@ struct MainWindow::Menus
     QAction *eventLog = nullptr, *copyLog = nullptr, *fullScreen = nullptr;
     QAction *themeSystem = nullptr, *themeLight = nullptr, *themeDark = nullptr;
     QAction *systemLanguage = nullptr;
+    QAction *tour = nullptr, *start = nullptr;
     QAction *shortcuts = nullptr, *about = nullptr, *aboutQt = nullptr;
     std::array<QAction *, kSteps.size()> steps{};
 

@@ -137,6 +137,11 @@ void MainWindow::restoreSession()
     else if (!last.isEmpty() && std::filesystem::exists(last.toStdString(), code))
         tell(m_bench.openSession(last.toStdString()));
     const Session &session = m_bench.session();
+    const Settings &settings = m_bench.settings();
+    const bool newcomer = settings.recentSessions.isEmpty() && settings.recentLogs.isEmpty() &&
+                          settings.lastSource.isEmpty() && session.runs().empty();
+    if (newcomer)
+        showStart();
     if (!session.recoveredRuns().empty()) {
         const RunRecord *run = session.run(session.recoveredRuns().back());
         const QString samples = run ? numberText(static_cast<double>(run->samples), 0) : QString();

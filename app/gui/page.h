@@ -44,7 +44,7 @@ public:
     // What Ctrl+S does here; nothing: it saves the session. Its own shortcut stays empty (see "shownShortcut"
     // of action_button.h).
     virtual QAction *saveAction() const { return nullptr; }
-    void initialise();        // once, after construction; showing it does it as well
+    void initialise(); // once, after construction; showing it does it as well
     // What Ctrl+Z takes back here; nothing: edits of the session's calibration plan.
     virtual QUndoStack *undoStack() const { return nullptr; }
     virtual void entered() {} // became the page that is shown

@@ -40,6 +40,8 @@ Result<std::unique_ptr<Workbench>> Workbench::create(WorkbenchOptions options, c
 Workbench::Workbench(WorkbenchOptions options, Settings settings, std::unique_ptr<Session> session)
     : m_options(std::move(options)), m_settings(std::move(settings)), m_session(std::move(session))
 {
+    // The simulated bridge is there without a look.
+    m_devices = listDevices({}, [](UsbId) { return KernelDriverReport{}; }, {});
     connectSession();
     connectJobs();
     if (m_options.watchDevices)
@@ -123,8 +125,15 @@ void Workbench::connectJobs()
     connect(&m_training, &TrainingJob::failed, this, &Workbench::problem);
 }
 
+static Error beingRecorded()
+{
+    return {Errc::SessionInUse, "A run is being recorded into this session; stop it first."};
+}
+
 Status Workbench::newSession()
 {
+    if (m_acquisition.isRecording())
+        return beingRecorded();
     auto made = Session::createUnnamed(m_options.sessionFolder);
     if (!made)
         return made.error();
@@ -137,6 +146,8 @@ Status Workbench::openSession(const std::filesystem::path &file)
     std::error_code code;
     if (std::filesystem::equivalent(file, m_session->path(), code))
         return {};
+    if (m_acquisition.isRecording())
+        return beingRecorded();
     auto opened = Session::open(file);
     if (!opened)
         return opened.error();
@@ -158,8 +169,7 @@ void Workbench::rememberSession()
 Status Workbench::saveSessionAs(const std::filesystem::path &file)
 {
     if (m_acquisition.isRecording())
-        return Error{Errc::SessionInUse,
-                     "A run is being recorded into this session; stop it, then give it a name."};
+        return beingRecorded();
     if (const Status saved = m_session->saveAs(file); !saved)
         return saved;
     rememberSession();
@@ -214,6 +224,9 @@ Status Workbench::useSource()
 {
     if (!m_choice)
         return Error{Errc::InvalidOption, "No source is chosen; choose a bridge or a log."};
+    changeSettings([this](Settings &settings) {
+        settings.lastSource = QString::fromStdString(sourceChoiceText(*m_choice));
+    });
     return m_session->setSource(*m_choice);
 }
 

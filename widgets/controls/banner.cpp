@@ -106,10 +106,11 @@ void Banner::setContent(const BannerContent &content)
 void Banner::showText()
 {
     const Palette &look = lookOf(palette());
-    m_text->setText(
-        QStringLiteral("<span style='font-weight:600'>%1</span>%2")
-            .arg(m_content.what.toHtmlEscaped(),
-                 m_content.toDo.isEmpty() ? QString() : QLatin1Char(' ') + m_content.toDo.toHtmlEscaped()));
+    // With a line of code the sentences stand above it, one a line.
+    const QString apart = m_content.code.isEmpty() ? QStringLiteral(" ") : QStringLiteral("<br>");
+    m_text->setText(QStringLiteral("<span style='font-weight:600'>%1</span>%2")
+                        .arg(m_content.what.toHtmlEscaped(),
+                             m_content.toDo.isEmpty() ? QString() : apart + m_content.toDo.toHtmlEscaped()));
     setAccessibleName(m_content.what + QLatin1Char(' ') + m_content.toDo);
     m_code->setVisible(!m_content.code.isEmpty());
     m_code->setText(m_content.code);

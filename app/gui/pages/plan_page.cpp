@@ -15,6 +15,7 @@
 #include "widgets/style/number_text.h"
 #include "widgets/style/theme.h"
 #include "widgets/views/profile_view.h"
+#include "widgets/views/transient_view.h"
 
 #include <QEvent>
 #include <QGridLayout>
@@ -71,6 +72,7 @@ PlanPage::PlanPage(AppContext &context, QWidget *parent)
         takeSession();
     });
     connect(&bench, &Workbench::testPlanChanged, this, &PlanPage::takeSession);
+    connect(&bench, &Workbench::sourceChanged, this, &PlanPage::takeSession);
     connect(&bench, &Workbench::runsChanged, this, &Page::stateChanged);
     takeSession();
 }
@@ -83,7 +85,7 @@ void PlanPage::buildActions()
     m_save = addPageAction({}, QStringLiteral("file"), [this] { askSave(); });
     m_steps = addPageAction({}, {}, [this] { askController(false); });
     m_ramps = addPageAction({}, {}, [this] { askController(true); });
-    m_use = addPageAction(QKeySequence(Qt::CTRL | Qt::Key_Return), {}, [this] { usePlan(); });
+    m_use = addPageAction(QKeySequence(Qt::CTRL | Qt::Key_Return), {}, [this] { use(); });
     m_files = new QAction(this);
     setActionIcon(*m_files, QStringLiteral("file"));
     auto *files = new ActionButton(m_files, ButtonSize::Head);
@@ -194,6 +196,8 @@ void PlanPage::takeSession()
     const Workbench &bench = *context().workbench;
     if (const auto &plan = bench.session().testPlan())
         m_plan = *plan;
+    else if (bench.sourceChoice() && bench.sourceChoice()->rateHz > 0.0)
+        m_plan.sampleRateHz = bench.sourceChoice()->rateHz;
     m_form->setPlan(m_plan);
     showFigures();
     emit stateChanged();
@@ -250,11 +254,16 @@ void PlanPage::showStillAir()
                              .arg(lengthText(m_plan.periodS), lengthText(settlingS));
     if (what == m_dismissed)
         return;
-    banners().post(kStillAir, {BannerKind::Caution, what,
-                               tr("Stir the air, or place the thermometer on the sensor."), {}, {}, {}, true});
+    banners().post(kStillAir, {BannerKind::Caution,
+                               what,
+                               tr("Stir the air, or place the thermometer on the sensor."),
+                               {},
+                               {},
+                               {},
+                               true});
 }
 
-void PlanPage::usePlan()
+void PlanPage::use()
 {
     const Status set = context().workbench->session().setTestPlan(m_plan);
     if (!set)
@@ -305,9 +314,10 @@ void PlanPage::askOpen()
 
 void PlanPage::askSave()
 {
-    askSaveFile(*this, *context().workbench, tr("Save plan"), tr("Plans (*.json)"), QStringLiteral("plan.json"),
-                [this](const std::filesystem::path &file) {
-                    tell(savePlan(file), tr("Plan written to %1.").arg(QString::fromStdString(file.string())));
+    askSaveFile(*this, *context().workbench, tr("Save plan"), tr("Plans (*.json)"),
+                QStringLiteral("plan.json"), [this](const std::filesystem::path &file) {
+                    tell(savePlan(file),
+                         tr("Plan written to %1.").arg(QString::fromStdString(file.string())));
                 });
 }
 

@@ -32,6 +32,7 @@ public:
 
     TestPlan plan() const { return m_plan; }
     void edit(const TestPlan &plan); // as a user does it: can be undone
+    void use();                      // makes it the session's
     Status openPlan(const std::filesystem::path &file);
     Status savePlan(const std::filesystem::path &file) const;
     Status saveControllerFile(const std::filesystem::path &file, bool ramps) const;
@@ -53,7 +54,6 @@ private:
     void showFigures();
     void showStillAir();
     void takeSession();
-    void usePlan();
     void askOpen();
     void askSave();
     void askController(bool ramps);

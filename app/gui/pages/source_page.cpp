@@ -129,7 +129,7 @@ void SourcePage::entered()
     showRecent();
     if (m_chosenSource.empty() && m_chosenFile.empty())
         chooseRow(0);
-    else
+    else if (m_bench.acquisition().state() == Acquisition::State::Idle)
         applyChoice();
 }
 
@@ -230,7 +230,7 @@ void SourcePage::applyChoice()
     m_apply.stop();
     ChoiceForm *form = m_form->current();
     const int row = m_bridges->rowOf(m_chosenSource);
-    if (!form || m_chosenSource.empty() || row < 0 || m_bench.acquisition().isRecording()) {
+    if (!form || m_chosenSource.empty() || row < 0 || !isVisible() || m_bench.acquisition().isRecording()) {
         showUse();
         return;
     }

@@ -50,8 +50,12 @@ static NumberField *makeRate(double highestHz)
 }
 
 NativeForm::NativeForm(QWidget *parent)
-    : ChoiceForm(parent), m_rows(placeRows(*this)), m_rate(makeRate(kHighestNativeHz)), m_range(makeRanges()),
-      m_thermometer(new QComboBox), m_compensate(new QCheckBox)
+    : ChoiceForm(parent)
+    , m_rows(placeRows(*this))
+    , m_rate(makeRate(kHighestNativeHz))
+    , m_range(makeRanges())
+    , m_thermometer(new QComboBox)
+    , m_compensate(new QCheckBox)
 {
     for (int i = 0; i < 3; ++i)
         m_thermometer->addItem(QString());
@@ -103,9 +107,16 @@ SourceChoice NativeForm::choice() const
 }
 
 I2cForm::I2cForm(QWidget *parent)
-    : ChoiceForm(parent), m_rows(placeRows(*this)), m_gyro(new QComboBox), m_address(new QComboBox),
-      m_range(makeRanges()), m_thermometer(new QComboBox), m_speed(new QComboBox), m_rate(makeRate(kHighestI2cHz)),
-      m_offset(new NumberField({}, tr("°C"), 1, -100.0, 100.0, 1.0)), m_serial(new QLineEdit)
+    : ChoiceForm(parent)
+    , m_rows(placeRows(*this))
+    , m_gyro(new QComboBox)
+    , m_address(new QComboBox)
+    , m_range(makeRanges())
+    , m_thermometer(new QComboBox)
+    , m_speed(new QComboBox)
+    , m_rate(makeRate(kHighestI2cHz))
+    , m_offset(new NumberField({}, tr("°C"), 1, -100.0, 100.0, 1.0))
+    , m_serial(new QLineEdit)
 {
     for (const char *gyro : {"", "L3GD20H", "I3G4250D"})
         m_gyro->addItem(QString::fromUtf8(gyro), QString::fromUtf8(gyro));
@@ -150,7 +161,8 @@ void I2cForm::retranslate()
     const QSignalBlocker silent(this);
     const QStringList labels{tr("Gyro"),        tr("Address"),    tr("Range"),     tr("Sample rate"),
                              tr("Thermometer"), tr("Die offset"), tr("Bus speed"), tr("Serial number")};
-    const std::array<QWidget *, 8> fields{m_gyro, m_address, m_range, m_rate, m_thermometer, m_offset, m_speed, m_serial};
+    const std::array<QWidget *, 8> fields{m_gyro,        m_address, m_range, m_rate,
+                                          m_thermometer, m_offset,  m_speed, m_serial};
     for (int row = 0; row < labels.size(); ++row) {
         m_rows->setLabel(row, labels[row]);
         fields[static_cast<std::size_t>(row)]->setAccessibleName(labels[row]);

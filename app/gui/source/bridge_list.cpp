@@ -42,7 +42,8 @@ QString bridgePlace(const DeviceEntry &entry)
 
 QString udevLine(const DeviceEntry &entry)
 {
-    return QStringLiteral("KERNEL==\"hidraw*\", ATTRS{idVendor}==\"%1\", ATTRS{idProduct}==\"%2\", TAG+=\"uaccess\"")
+    return QStringLiteral(
+               "KERNEL==\"hidraw*\", ATTRS{idVendor}==\"%1\", ATTRS{idProduct}==\"%2\", TAG+=\"uaccess\"")
         .arg(entry.identity.vendorId, 4, 16, QLatin1Char('0'))
         .arg(entry.identity.productId, 4, 16, QLatin1Char('0'));
 }
@@ -157,7 +158,8 @@ QVariant BridgeModel::data(const QModelIndex &index, int role) const
     case Qt::DisplayRole:
         return bridgeName(entry);
     case AsideRole:
-        return entry.kind == DeviceKind::SimulatedBridge ? tr("start here if you have no hardware") : QString();
+        return entry.kind == DeviceKind::SimulatedBridge ? tr("start here if you have no hardware")
+                                                         : QString();
     case NoteRole:
         return noteOf(entry);
     case Qt::ToolTipRole:
@@ -186,7 +188,10 @@ class BridgeDelegate : public QStyledItemDelegate
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
 
-    QSize sizeHint(const QStyleOptionViewItem &, const QModelIndex &) const override { return {200, kRowHeight}; }
+    QSize sizeHint(const QStyleOptionViewItem &, const QModelIndex &) const override
+    {
+        return {200, kRowHeight};
+    }
 
     void paint(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const override
     {
@@ -199,7 +204,8 @@ public:
         }
         if (!last)
             painter->fillRect(QRect(row.left(), row.bottom(), row.width(), 1), look.grid);
-        paintIcon(*painter, QRect(row.left() + kIconLeft, row.top() + (row.height() - kIcon) / 2, kIcon, kIcon),
+        paintIcon(*painter,
+                  QRect(row.left() + kIconLeft, row.top() + (row.height() - kIcon) / 2, kIcon, kIcon),
                   index.data(BridgeModel::IconRole).toString(), look.text);
         const int stateLeft = paintState(*painter, row, index, look);
         paintTexts(*painter, row, stateLeft - 12, index, look);
@@ -218,7 +224,8 @@ private:
         painter.drawText(QRect(left, row.top(), row.right() - left + 1, row.height()),
                          Qt::AlignLeft | Qt::AlignVCenter, word);
         const int iconLeft = left - kSmallIcon - 5;
-        paintIcon(painter, QRect(iconLeft, row.top() + (row.height() - kSmallIcon) / 2, kSmallIcon, kSmallIcon),
+        paintIcon(painter,
+                  QRect(iconLeft, row.top() + (row.height() - kSmallIcon) / 2, kSmallIcon, kSmallIcon),
                   index.data(BridgeModel::StateIconRole).toString(), color);
         return iconLeft;
     }

@@ -32,7 +32,8 @@ RateFields::RateFields(QWidget *parent) : QWidget(parent)
 void RateFields::retranslate()
 {
     for (std::size_t axis = 0; axis < m_fields.size(); ++axis)
-        m_fields[axis]->setAccessibleName(tr("Reference rate, %1").arg(QString::fromUtf8(kAxisNames[axis].data())));
+        m_fields[axis]->setAccessibleName(
+            tr("Reference rate, %1").arg(QString::fromUtf8(kAxisNames[axis].data())));
 }
 
 Eigen::Vector3d RateFields::rateDps() const

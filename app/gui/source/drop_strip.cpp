@@ -34,10 +34,12 @@ void DropStrip::paintEvent(QPaintEvent *)
     const QFontMetrics metrics(noteFont());
     const QString words = metrics.elidedText(text(), Qt::ElideRight, width() - 2 * 16 - kIcon - kIconGap);
     const int left = (width() - kIcon - kIconGap - metrics.horizontalAdvance(words)) / 2;
-    paintIcon(painter, QRect(left, (height() - kIcon) / 2, kIcon, kIcon), QStringLiteral("drop"), look.mutedText);
+    paintIcon(painter, QRect(left, (height() - kIcon) / 2, kIcon, kIcon), QStringLiteral("drop"),
+              look.mutedText);
     painter.setFont(noteFont());
     painter.setPen(look.mutedText);
-    painter.drawText(QRect(left + kIcon + kIconGap, 0, width(), height()), Qt::AlignLeft | Qt::AlignVCenter, words);
+    painter.drawText(QRect(left + kIcon + kIconGap, 0, width(), height()), Qt::AlignLeft | Qt::AlignVCenter,
+                     words);
 }
 
 } // namespace driftbench

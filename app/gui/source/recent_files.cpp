@@ -27,7 +27,8 @@ RecentFilesModel::RecentFilesModel(QObject *parent) : QAbstractTableModel(parent
     // Not from the signal of the outcome: the job still counts as running there.
     connect(&m_job, &Job::runningChanged, this, [this](bool running) {
         if (!running)
-            QMetaObject::invokeMethod(this, [this] { lookAtNext(); }, Qt::QueuedConnection);
+            QMetaObject::invokeMethod(
+                this, [this] { lookAtNext(); }, Qt::QueuedConnection);
     });
 }
 
@@ -56,8 +57,8 @@ void RecentFilesModel::setFiles(const QStringList &files)
 
 int RecentFilesModel::rowOf(const std::filesystem::path &path) const
 {
-    const auto found =
-        std::find_if(m_rows.begin(), m_rows.end(), [&](const FileSurvey &survey) { return survey.path == path; });
+    const auto found = std::find_if(m_rows.begin(), m_rows.end(),
+                                    [&](const FileSurvey &survey) { return survey.path == path; });
     return found == m_rows.end() ? -1 : static_cast<int>(found - m_rows.begin());
 }
 
@@ -180,8 +181,9 @@ QVariant RecentFilesModel::headerData(int section, Qt::Orientation orientation, 
     if (orientation != Qt::Horizontal)
         return {};
     if (role == Qt::TextAlignmentRole)
-        return section >= SamplesColumn && section <= TemperatureColumn ? int(Qt::AlignRight | Qt::AlignVCenter)
-                                                                        : int(Qt::AlignLeft | Qt::AlignVCenter);
+        return section >= SamplesColumn && section <= TemperatureColumn
+                   ? int(Qt::AlignRight | Qt::AlignVCenter)
+                   : int(Qt::AlignLeft | Qt::AlignVCenter);
     if (role != Qt::DisplayRole)
         return {};
     switch (section) {

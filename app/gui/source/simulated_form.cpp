@@ -35,11 +35,15 @@ static QString speedText(double speed)
 }
 
 SimulatedForm::SimulatedForm(QWidget *parent)
-    : ChoiceForm(parent), m_rows(new FormRows(kFormLabelWidth, this)), m_sensor(new QComboBox),
-      m_drift(new QComboBox), m_speed(new QComboBox), m_reference(new RateFields),
-      m_rate(new NumberField({}, tr("Hz"), 0, 1.0, kHighestRateHz, 10.0)),
-      m_noise(new NumberField({}, tr("dps"), 3, 0.0, 10.0, 0.01)),
-      m_spread(new NumberField({}, QStringLiteral("%"), 1, 0.0, 50.0, 0.1))
+    : ChoiceForm(parent)
+    , m_rows(new FormRows(kFormLabelWidth, this))
+    , m_sensor(new QComboBox)
+    , m_drift(new QComboBox)
+    , m_speed(new QComboBox)
+    , m_reference(new RateFields)
+    , m_rate(new NumberField({}, tr("Hz"), 0, 1.0, kHighestRateHz, 10.0))
+    , m_noise(new NumberField({}, tr("dps"), 3, 0.0, 10.0, 0.01))
+    , m_spread(new NumberField({}, QStringLiteral("%"), 1, 0.0, 50.0, 0.1))
 {
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -52,10 +56,10 @@ SimulatedForm::SimulatedForm(QWidget *parent)
     m_drift->addItem(QString(), QString()); // the preset's combs
     for (const double speed : kSpeeds)
         m_speed->addItem(QString(), speed);
-    for (QWidget *field : {static_cast<QWidget *>(m_sensor), static_cast<QWidget *>(m_drift),
-                           static_cast<QWidget *>(m_reference), static_cast<QWidget *>(m_rate),
-                           static_cast<QWidget *>(m_noise), static_cast<QWidget *>(m_spread),
-                           static_cast<QWidget *>(m_speed)})
+    for (QWidget *field :
+         {static_cast<QWidget *>(m_sensor), static_cast<QWidget *>(m_drift),
+          static_cast<QWidget *>(m_reference), static_cast<QWidget *>(m_rate),
+          static_cast<QWidget *>(m_noise), static_cast<QWidget *>(m_spread), static_cast<QWidget *>(m_speed)})
         m_rows->addRow({}, field);
     m_reference->setRateDps({25.0, 5.0, 53.0});
     m_rate->setValue(10.0);
@@ -71,9 +75,8 @@ SimulatedForm::SimulatedForm(QWidget *parent)
 
 void SimulatedForm::retranslate()
 {
-    const QStringList labels{tr("Sensor"),        tr("Drift"),
-                             tr("Reference rate"), tr("Sample rate"),
-                             tr("Noise, 1 σ"),    tr("Run-to-run spread"),
+    const QStringList labels{tr("Sensor"),      tr("Drift"),      tr("Reference rate"),
+                             tr("Sample rate"), tr("Noise, 1 σ"), tr("Run-to-run spread"),
                              tr("Speed")};
     for (int row = 0; row < labels.size(); ++row)
         m_rows->setLabel(row, labels[row]);
@@ -84,7 +87,8 @@ void SimulatedForm::retranslate()
     m_spread->setAccessibleName(labels[5]);
     m_speed->setAccessibleName(labels[6]);
     m_speed->setToolTip(tr("How fast the simulated time passes while a run is recorded."));
-    m_drift->setToolTip(tr("How the bias follows the temperature; Combs computes it from the comb capacitors."));
+    m_drift->setToolTip(
+        tr("How the bias follows the temperature; Combs computes it from the comb capacitors."));
     m_reference->retranslate();
     for (int i = 0; i < m_sensor->count(); ++i) {
         const QString model = m_sensor->itemData(i).toString();
@@ -117,8 +121,8 @@ void SimulatedForm::setChoice(const SourceChoice &choice)
     if (!simulated)
         return;
     const QSignalBlocker silent(this);
-    const auto take = [](QComboBox *box, const QVariant &data) {
-        if (const int at = box->findData(data); at >= 0)
+    const auto take = [](QComboBox *box, const QVariant &wanted) {
+        if (const int at = box->findData(wanted); at >= 0)
             box->setCurrentIndex(at);
     };
     take(m_sensor, QString::fromStdString(simulated->sensor));

@@ -1,0 +1,174 @@
+#include "app/gui/start/simulated_tour.h"
+
+#include "app/gui/main_window.h"
+#include "app/gui/pages/plan_page.h"
+#include "app/gui/pages/source_page.h"
+#include "app/gui/source/source_form.h"
+#include "app/gui/workbench.h"
+
+#include <QAction>
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace driftbench {
+
+static constexpr double kTourSpeed = 1000.0;
+
+static QString text(const char *english)
+{
+    return QCoreApplication::translate("SimulatedTour", english);
+}
+
+static int finishedRuns(const Session &session)
+{
+    return static_cast<int>(
+        std::count_if(session.runs().begin(), session.runs().end(),
+                      [](const RunRecord &run) { return run.state == RunState::Complete; }));
+}
+
+static TourStep connectStep(MainWindow &window, Workbench &bench)
+{
+    TourStep step{Step::Source};
+    step.what = [] {
+        return text(QT_TRANSLATE_NOOP("SimulatedTour", "Choose where the samples come from."));
+    };
+    step.why = [] {
+        return text(QT_TRANSLATE_NOOP("SimulatedTour",
+                                      "The simulated bridge runs the firmware of a real one over a "
+                                      "simulated gyro in a chamber. Next uses it."));
+    };
+    step.perform = [&window] {
+        auto &page = static_cast<SourcePage &>(*window.page(Step::Source));
+        SourceChoice choice = page.form().simulated().choice();
+        choice.as<SimulatedChoice>()->speed = kTourSpeed;
+        page.form().simulated().setChoice(choice);
+        page.chooseSimulated();
+        page.use();
+    };
+    step.isDone = [&bench] { return bench.session().source().has_value(); };
+    return step;
+}
+
+static TourStep planStep(MainWindow &window, Workbench &bench)
+{
+    TourStep step{Step::Plan};
+    step.what = [] { return text(QT_TRANSLATE_NOOP("SimulatedTour", "Plan how the temperature moves.")); };
+    step.why = [] {
+        return text(QT_TRANSLATE_NOOP(
+            "SimulatedTour",
+            "From −40 to 85 °C in steps that the datasheets allow. The tour takes three runs "
+            "instead of five; each is judged by a model of the others."));
+    };
+    step.perform = [&window] {
+        auto &page = static_cast<PlanPage &>(*window.page(Step::Plan));
+        TestPlan plan = page.plan();
+        plan.runs = kTourRuns;
+        page.edit(plan);
+        page.use();
+    };
+    step.isDone = [&bench] { return bench.session().testPlan().has_value(); };
+    return step;
+}
+
+static TourStep recordStep(MainWindow &window, Workbench &bench)
+{
+    TourStep step{Step::Record};
+    const auto record = [&window, &bench] {
+        // One run after the other: the bridge stops by itself at the end of the plan.
+        const bool idle = bench.acquisition().state() == Acquisition::State::Idle ||
+                          (bench.acquisition().state() == Acquisition::State::Running &&
+                           bench.sourceUse() == SourceUse::Watch);
+        if (idle && !bench.acquisition().isRecording())
+            QMetaObject::invokeMethod(window.page(Step::Record), "startRecording");
+    };
+    step.what = [] { return text(QT_TRANSLATE_NOOP("SimulatedTour", "Record the runs.")); };
+    step.why = [] {
+        return text(QT_TRANSLATE_NOOP("SimulatedTour",
+                                      "Three hours pass in about twelve seconds. Everything is in the "
+                                      "session's file as it comes."));
+    };
+    step.perform = record;
+    step.carryOn = record;
+    step.isDone = [&bench] { return finishedRuns(bench.session()) >= kTourRuns; };
+    step.state = [&bench] {
+        return text(QT_TRANSLATE_NOOP("SimulatedTour", "Recording run %1 of %2."))
+            .arg(std::min(finishedRuns(bench.session()) + 1, kTourRuns))
+            .arg(kTourRuns);
+    };
+    return step;
+}
+
+static TourStep inspectStep()
+{
+    TourStep step{Step::Inspect};
+    step.what = [] { return text(QT_TRANSLATE_NOOP("SimulatedTour", "Look at the drift.")); };
+    step.why = [] {
+        return text(QT_TRANSLATE_NOOP("SimulatedTour",
+                                      "Each dot is a sample: its error against the temperature. Where "
+                                      "they lie on one curve, a table can remove it."));
+    };
+    return step;
+}
+
+static TourStep trainStep(Workbench &bench)
+{
+    TourStep step{Step::Train};
+    step.what = [] { return text(QT_TRANSLATE_NOOP("SimulatedTour", "Train the models.")); };
+    step.why = [] {
+        return text(QT_TRANSLATE_NOOP("SimulatedTour",
+                                      "An RBF network and its rivals. Each run is held out once, so "
+                                      "that no model is judged on what it has seen."));
+    };
+    step.perform = [&bench] { (void)bench.train(); };
+    step.isDone = [&bench] { return bench.session().result() != nullptr; };
+    step.state = [&bench] { return bench.training().stage(); };
+    return step;
+}
+
+static TourStep compareStep()
+{
+    TourStep step{Step::Compare};
+    step.what = [] { return text(QT_TRANSLATE_NOOP("SimulatedTour", "Read the verdict.")); };
+    step.why = [] {
+        return text(QT_TRANSLATE_NOOP(
+            "SimulatedTour",
+            "For each axis: write the table, only a constant, or nothing, with the reason."));
+    };
+    return step;
+}
+
+static TourStep exportStep(MainWindow &window, Workbench &bench)
+{
+    TourStep step{Step::Export};
+    step.what = [] { return text(QT_TRANSLATE_NOOP("SimulatedTour", "Write the table into the device.")); };
+    step.why = [] {
+        return text(QT_TRANSLATE_NOOP("SimulatedTour",
+                                      "Written to the spare bank, read back, verified, and only then "
+                                      "made active. Cut off anywhere, the old table stays."));
+    };
+    const auto write = [&window] {
+        for (QAction *action : window.page(Step::Export)->pageActions()) {
+            if (action->objectName() == QLatin1String("writeToDevice") && action->isEnabled())
+                return action->trigger();
+        }
+    };
+    step.perform = write;
+    step.carryOn = [write, &bench] {
+        if (!bench.upload().isRunning())
+            write();
+    };
+    step.isDone = [&bench] {
+        const auto &uploads = bench.session().uploads();
+        return !uploads.empty() && uploads.back().verified && uploads.back().activated;
+    };
+    return step;
+}
+
+std::vector<TourStep> simulatedTour(MainWindow &window, Workbench &bench)
+{
+    return {connectStep(window, bench), planStep(window, bench), recordStep(window, bench), inspectStep(),
+            trainStep(bench),           compareStep(),           exportStep(window, bench)};
+}
+
+} // namespace driftbench
