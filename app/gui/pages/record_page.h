@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/gui/page.h"
+#include "engine/base/result.h"
 
 #include <QTimer>
 
