@@ -187,6 +187,11 @@ std::optional<RunId> Acquisition::recordingRun() const
     return m_recorder ? std::optional(m_recorder->run()) : std::nullopt;
 }
 
+std::optional<double> Acquisition::recordedFromS() const
+{
+    return m_recording && m_sink ? m_sink->recordedFromS() : std::nullopt;
+}
+
 std::optional<RecorderStats> Acquisition::recorderStats() const
 {
     return m_recorder ? std::optional(m_recorder->stats()) : std::nullopt;

@@ -65,6 +65,8 @@ public:
 
     bool isRecording() const; // until recordingFinished
     std::optional<RunId> recordingRun() const;
+    // In the source's time: where the recorded run's time is 0; nothing before its first sample.
+    std::optional<double> recordedFromS() const;
     std::optional<RecorderStats> recorderStats() const;
     // After recordingFinished with an error: tries again, or gives what could not be written and forgets it.
     bool finishAgain();

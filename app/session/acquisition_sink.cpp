@@ -117,6 +117,12 @@ void AcquisitionSink::setRecorder(std::shared_ptr<RunRecorder> recorder)
     m_refused = false;
 }
 
+std::optional<double> AcquisitionSink::recordedFromS() const
+{
+    const std::lock_guard lock(m_recorderMutex);
+    return m_firstRecordedS;
+}
+
 bool AcquisitionSink::isRefused() const
 {
     const std::lock_guard lock(m_recorderMutex);

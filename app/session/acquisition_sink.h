@@ -28,6 +28,7 @@ public:
     // By the owner.
     std::vector<Item> take();
     void setRecorder(std::shared_ptr<RunRecorder> recorder); // null: no longer
+    std::optional<double> recordedFromS() const;             // of the recorder that was set last
     bool isRefused() const;                                  // the recorder said Stop
 
 private:

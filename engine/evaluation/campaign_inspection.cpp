@@ -63,8 +63,8 @@ TemperatureCoverage coverageOf(const TrainingSet &set)
     const auto heated = coverage.heatingS.array() > 0.0;
     const auto cooled = coverage.coolingS.array() > 0.0;
     const auto reached = (heated || cooled).count();
-    coverage.bothShare = reached > 0 ? static_cast<double>((heated && cooled).count()) / static_cast<double>(reached)
-                                     : 0.0;
+    coverage.bothShare =
+        reached > 0 ? static_cast<double>((heated && cooled).count()) / static_cast<double>(reached) : 0.0;
     return coverage;
 }
 

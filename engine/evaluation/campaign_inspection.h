@@ -1,5 +1,5 @@
-// What can be said of a campaign before anything is trained for use: how far its TDE is a curve of temperature
-// at all, and where the temperature has been.
+// What can be said of a campaign before anything is trained for use: how far its TDE is a curve of
+// temperature at all, and where the temperature has been.
 //
 //   swing    highest less lowest mean TDE over cells of 1 degree, sweep by sweep (dps)
 //   noise    root of the noise floor (noise_floor.h), mean over the runs by their samples (dps)
@@ -37,19 +37,19 @@ struct AxisInspection
 
 struct TemperatureCoverage
 {
-    double firstC = 0.0;       // lower edge of the first cell, a whole degree
-    Eigen::VectorXd heatingS;  // C cells of 1 degree
-    Eigen::VectorXd coolingS;  // C
-    double lowestC = 0.0;      // of all samples
+    double firstC = 0.0;      // lower edge of the first cell, a whole degree
+    Eigen::VectorXd heatingS; // C cells of 1 degree
+    Eigen::VectorXd coolingS; // C
+    double lowestC = 0.0;     // of all samples
     double highestC = 0.0;
-    double bothShare = 0.0;    // of the cells that were reached, those that were heated and cooled through
+    double bothShare = 0.0; // of the cells that were reached, those that were heated and cooled through
 };
 
 // Local rms of what the curve leaves, over +-2.5 degrees.
 struct ResidualSpread
 {
-    Eigen::VectorXd deltaT;   // C
-    Eigen::MatrixX3d rmsDps;  // C x 3
+    Eigen::VectorXd deltaT;  // C
+    Eigen::MatrixX3d rmsDps; // C x 3
 };
 
 struct CampaignInspection

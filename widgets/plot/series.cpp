@@ -78,8 +78,12 @@ protected:
                          const QCPScatterStyle &) const override
     {
         applyScattersAntialiasingHint(painter);
-        QPainterPath path;
         const QRectF inside(clipRect());
+        if (!painter->modes().testFlag(QCPPainter::pmVectorized)) {
+            stampDots(*painter, scatters, inside);
+            return;
+        }
+        QPainterPath path;
         for (const QPointF &place : scatters) {
             if (!inside.contains(place))
                 continue;
@@ -93,6 +97,30 @@ protected:
     }
 
 private:
+    // On the screen a picture of one dot is stamped: thousands of stroked points take too long.
+    void stampDots(QCPPainter &painter, const QVector<QPointF> &places, const QRectF &inside) const
+    {
+        const double ratio = painter.device()->devicePixelRatioF();
+        const int side = static_cast<int>(std::ceil(m_pen.widthF() * ratio)) + 2;
+        QPixmap dot(side, side);
+        dot.fill(Qt::transparent);
+        QPainter dotPainter(&dot);
+        dotPainter.setRenderHint(QPainter::Antialiasing);
+        dotPainter.setPen(Qt::NoPen);
+        dotPainter.setBrush(m_pen.color());
+        const double radius = m_pen.widthF() * ratio / 2.0;
+        dotPainter.drawEllipse(QPointF(side / 2.0, side / 2.0), radius, radius);
+        dotPainter.end();
+        QVector<QPainter::PixmapFragment> stamps;
+        stamps.reserve(places.size());
+        for (const QPointF &place : places) {
+            if (inside.contains(place))
+                stamps.append(QPainter::PixmapFragment::create(place, QRectF(0, 0, side, side), 1.0 / ratio,
+                                                               1.0 / ratio));
+        }
+        painter.drawPixmapFragments(stamps.constData(), static_cast<int>(stamps.size()), dot);
+    }
+
     QPen m_pen;
 };
 

@@ -70,7 +70,8 @@ void CoverageView::setSelection(const std::optional<std::pair<double, double>> &
     }
 }
 
-static QCPItemRect *addShade(QCPAxisRect &rect, double fromC, double toC, const QColor &fill, const QString &layer)
+static QCPItemRect *addShade(QCPAxisRect &rect, double fromC, double toC, const QColor &fill,
+                             const QString &layer)
 {
     auto *shade = new QCPItemRect(rect.parentPlot());
     shade->setLayer(layer);
@@ -89,8 +90,8 @@ static QCPItemRect *addShade(QCPAxisRect &rect, double fromC, double toC, const 
     return shade;
 }
 
-static void addBars(QCPAxisRect &rect, double firstC, const Eigen::VectorXd &seconds, double sign, const QColor &color,
-                    const QString &name)
+static void addBars(QCPAxisRect &rect, double firstC, const Eigen::VectorXd &seconds, double sign,
+                    const QColor &color, const QString &name)
 {
     auto *bars = new QCPBars(rect.axis(QCPAxis::atBottom), rect.axis(QCPAxis::atLeft));
     bars->setWidth(kBarWidth);

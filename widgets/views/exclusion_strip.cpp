@@ -31,10 +31,7 @@ public:
     }
 
 protected:
-    void applyDefaultAntialiasingHint(QCPPainter *painter) const override
-    {
-        painter->setAntialiasing(false);
-    }
+    void applyDefaultAntialiasingHint(QCPPainter *painter) const override { painter->setAntialiasing(false); }
 
     void draw(QCPPainter *painter) override
     {
@@ -112,13 +109,14 @@ ExclusionStrip::ExclusionStrip(const Palette &look, QWidget *parent)
     interaction.enableCursors(); // for its layer
     interaction.setDragAction(PlotInteraction::DragAction::SelectKeys);
     interaction.setFreeAxes(Qt::Horizontal);
-    new Marks(&plot(), this); // the plot's
+    new Marks(&plot(), this);        // the plot's
     plot().installEventFilter(this); // before the interaction's
-    connect(&interaction, &PlotInteraction::keysSelected, this, [this](QCPAxisRect *, double low, double high) {
-        m_selection = StripRange{low * m_secondsPerUnit, high * m_secondsPerUnit, true};
-        redrawMarks();
-        emit selected(m_selection->startS, m_selection->endS);
-    });
+    connect(&interaction, &PlotInteraction::keysSelected, this,
+            [this](QCPAxisRect *, double low, double high) {
+                m_selection = StripRange{low * m_secondsPerUnit, high * m_secondsPerUnit, true};
+                redrawMarks();
+                emit selected(m_selection->startS, m_selection->endS);
+            });
     connect(&interaction, &PlotInteraction::selectionEnded, this, &ExclusionStrip::selectionEnded);
     connect(&interaction, &PlotInteraction::clicked, this, [this](QCPAxisRect *, const QPointF &place) {
         if (const auto range = rangeAt(place))
@@ -215,7 +213,8 @@ bool ExclusionStrip::dragEdge(QEvent *event)
         return m_dragged.has_value();
     }
     if (!m_dragged) {
-        if (event->type() == QEvent::MouseMove && mouse->buttons() == Qt::NoButton && edgeAt(mouse->position())) {
+        if (event->type() == QEvent::MouseMove && mouse->buttons() == Qt::NoButton &&
+            edgeAt(mouse->position())) {
             plot().setCursor(Qt::SizeHorCursor);
             return true;
         }
@@ -260,7 +259,8 @@ static QVector<double> inUnits(QVector<double> seconds, double secondsPerUnit)
 
 void ExclusionStrip::build()
 {
-    if (m_shown.heating.timeS.isEmpty() && m_shown.cooling.timeS.isEmpty() && m_shown.excluded.timeS.isEmpty()) {
+    if (m_shown.heating.timeS.isEmpty() && m_shown.cooling.timeS.isEmpty() &&
+        m_shown.excluded.timeS.isEmpty()) {
         showEmpty(tr("No samples"), tr("Record a run, or open a log file."));
         return;
     }

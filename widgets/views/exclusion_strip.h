@@ -1,6 +1,6 @@
-// TDE of one axis over the time of a campaign, its runs one after the other, with the stretches that are taken
-// out. Dragging selects a stretch; the grips of an excluded one, and its edges, move it; a click picks it.
-// Keys are seconds of the strip; who owns the runs knows which of them a second is in.
+// TDE of one axis over the time of a campaign, its runs one after the other, with the stretches that are
+// taken out. Dragging selects a stretch; the grips of an excluded one, and its edges, move it; a click picks
+// it. Keys are seconds of the strip; who owns the runs knows which of them a second is in.
 #pragma once
 
 #include "widgets/plot/plot_view.h"

@@ -38,8 +38,8 @@ static QString segmentText(const PlanSegment &segment, const TestPlan &plan)
 }
 
 // Beside the middle of its stretch, on the side where the line is not.
-static void nameSegment(QCustomPlot &plot, QCPAxisRect &rect, const PlanSegment &segment, const TestPlan &plan,
-                        const TimeScale &scale, const QColor &color)
+static void nameSegment(QCustomPlot &plot, QCPAxisRect &rect, const PlanSegment &segment,
+                        const TestPlan &plan, const TimeScale &scale, const QColor &color)
 {
     const double middleC = 0.5 * (segment.fromC + segment.toC);
     const bool below = segment.isHold() ? middleC > 0.5 * (plan.lowestC + plan.highestC) : true;

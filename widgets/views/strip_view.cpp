@@ -126,7 +126,8 @@ void StripView::drawStrip(QCPAxisRect &rect, int strip)
     addLine(rect, keys, values, pen);
     auto *notes = new PanelNotes(&rect, look());
     const QString unit = isTemperature ? tr("%1 °C") : tr("%1 dps");
-    notes->setMarginLabels({{m_latest[at], QPen(look().axisLine, 1.0), unit.arg(numberText(m_latest[at], 2)), false}});
+    notes->setMarginLabels(
+        {{m_latest[at], QPen(look().axisLine, 1.0), unit.arg(numberText(m_latest[at], 2)), false}});
     auto *name = new QCPItemText(&plot());
     name->setClipToAxisRect(false);
     name->position->setAxisRect(&rect);

@@ -1,6 +1,6 @@
-// Four strips of the last minute of a source, x, y, z and T, with the newest value behind each: a look at what
-// comes, not a record. What it keeps is the lowest and highest of each of a few hundred stretches of time, so
-// a fast source costs no more than a slow one.
+// Four strips of the last minute of a source, x, y, z and T, with the newest value behind each: a look at
+// what comes, not a record. What it keeps is the lowest and highest of each of a few hundred stretches of
+// time, so a fast source costs no more than a slow one.
 #pragma once
 
 #include "engine/recording/sample_block.h"

@@ -175,11 +175,11 @@ void TcqScatterView::drawSelected(QCPAxisRect &rect, int quantity, bool residual
         return;
     QVector<double> values;
     for (Eigen::Index i = 0; i < m_data.selectedDeltaT.size(); ++i)
-        values.append(m_data.selectedTdeDps(i, m_data.axis) -
-                      (residuals ? interpolated(m_data.curves.front(), m_data.axis, m_data.selectedDeltaT[i])
-                                 : 0.0));
-    addDots(rect, quantityOf(toQVector(m_data.selectedDeltaT), quantity), values, look().accent,
-            kSelectedDot, tr("Selected"));
+        values.append(
+            m_data.selectedTdeDps(i, m_data.axis) -
+            (residuals ? interpolated(m_data.curves.front(), m_data.axis, m_data.selectedDeltaT[i]) : 0.0));
+    addDots(rect, quantityOf(toQVector(m_data.selectedDeltaT), quantity), values, look().accent, kSelectedDot,
+            tr("Selected"));
 }
 
 // A column shares its quantity, a row its values.

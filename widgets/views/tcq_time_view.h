@@ -11,8 +11,8 @@
 
 namespace driftbench {
 
-// What is drawn: dT, dT^2, signed root, then TDE of x, y, z, in seconds since the start. Made of long runs off
-// the thread of the window.
+// What is drawn: dT, dT^2, signed root, then TDE of x, y, z, in seconds since the start. Made of long runs
+// off the thread of the window.
 struct TcqTimeTraces
 {
     double spanS = 0.0;

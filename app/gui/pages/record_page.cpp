@@ -1,6 +1,5 @@
 #include "app/gui/pages/record_page.h"
 
-#include "app/gui/event_log.h"
 #include "app/gui/record/live_run.h"
 #include "app/gui/record/record_readouts.h"
 #include "app/gui/workbench.h"
@@ -46,7 +45,8 @@ void RecordPage::addActions()
 {
     m_pause = addPageAction({}, QStringLiteral("pause"), [this] { setViewPaused(!m_view->isPaused()); });
     m_stop = addPageAction(Qt::CTRL | Qt::Key_Period, QStringLiteral("stop"), [this] { stopRecording(); });
-    m_start = addPageAction(Qt::CTRL | Qt::SHIFT | Qt::Key_R, QStringLiteral("record"), [this] { startRecording(); });
+    m_start = addPageAction(Qt::CTRL | Qt::SHIFT | Qt::Key_R, QStringLiteral("record"),
+                            [this] { startRecording(); });
     m_goToSource = new QAction(this);
     m_goToInspect = new QAction(this);
     m_writeAgain = new QAction(this);
@@ -113,8 +113,9 @@ void RecordPage::connectWork()
             [this](int at) { m_view->setQuantity(static_cast<LiveQuantity>(at)); });
     connect(m_view, &LiveTraceView::legendChanged, this, &RecordPage::showLegend);
     connect(m_view, &LiveTraceView::cursorsChanged, m_readouts, &RecordReadouts::showCursors);
-    connect(&m_view->interaction(), &PlotInteraction::exportFailed, this,
-            [this](const QString &sentence) { say(QStringLiteral("export"), BannerKind::Bad, sentence, {}); });
+    connect(&m_view->interaction(), &PlotInteraction::exportFailed, this, [this](const QString &sentence) {
+        say(QStringLiteral("export"), BannerKind::Bad, sentence, {});
+    });
     connect(m_run, &LiveRun::recordingChanged, this, &RecordPage::showState);
     connect(m_run, &LiveRun::scored, m_readouts, &RecordReadouts::addTrendPoint);
     connect(m_run, &LiveRun::deviceAway, this, &RecordPage::showAbsence);
@@ -182,7 +183,8 @@ void RecordPage::changeEvent(QEvent *event)
 
 void RecordPage::showLegend()
 {
-    m_legend->setEntries(m_view->legend(), lookOf(palette()));
+    const bool traces = m_run->isRecording() || m_run->hasSamples();
+    m_legend->setEntries(traces ? m_view->legend() : std::vector<LegendEntry>{}, lookOf(palette()));
 }
 
 void RecordPage::say(const QString &key, BannerKind kind, const QString &what, const QString &toDo,

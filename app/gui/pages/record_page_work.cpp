@@ -1,5 +1,4 @@
 // The part of RecordPage that follows the recording: what is started and stopped, and what is said of it.
-#include "app/gui/event_log.h"
 #include "app/gui/pages/record_page.h"
 #include "app/gui/record/live_run.h"
 #include "app/gui/record/record_readouts.h"
@@ -61,8 +60,8 @@ void RecordPage::sourceEnded(const Error &error)
     if (!m_starting && !m_run->isRecording() && !isVisible())
         return; // watched by another page, which says it
     m_starting = false;
-    say(QStringLiteral("source"), BannerKind::Bad, tr("The source has ended."), sentenceOf(error), {m_goToSource});
-    context().events.add(EventKind::Bad, sentenceOf(error));
+    say(QStringLiteral("source"), BannerKind::Bad, tr("The source has ended."), sentenceOf(error),
+        {m_goToSource});
 }
 
 void RecordPage::stopRecording()
@@ -84,12 +83,13 @@ void RecordPage::recordingFinished(const Status &outcome)
     const QString length = clockText(m_run->elapsedS());
     if (outcome.ok()) {
         const auto progress = m_run->progress();
-        const QString samples = numberText(static_cast<double>(m_run->link().samples), 0);
+        const RunRecord *record = m_run->run() ? workbench.session().run(*m_run->run()) : nullptr;
+        const QString samples = numberText(record ? static_cast<double>(record->samples) : 0.0, 0);
         const QString what = progress && progress->ended
                                  ? tr("Run %1 is complete.").arg(runNumber())
                                  : tr("Run %1 was stopped at %2.").arg(runNumber()).arg(length);
-        say(QStringLiteral("ended"), BannerKind::Info, what, tr("%1 samples are in the session.").arg(samples),
-            {m_goToInspect});
+        say(QStringLiteral("ended"), BannerKind::Info, what,
+            tr("%1 samples are in the session.").arg(samples), {m_goToInspect});
     } else {
         say(QStringLiteral("recorder"), BannerKind::Bad, tr("A part of the run is not on the disk."),
             sentenceOf(outcome.error()) + QLatin1Char(' ') + tr("It is kept in memory."),
@@ -108,16 +108,17 @@ void RecordPage::recorderSays(const RecorderEvent &event)
         break;
     case RecorderEventKind::Failing:
         say(key, BannerKind::Bad, tr("The disk takes no more."),
-            sentence + QLatin1Char(' ') + tr("Make room on it; recording goes on in memory."), {m_stop}, false);
+            sentence + QLatin1Char(' ') + tr("Make room on it; recording goes on in memory."), {m_stop},
+            false);
         break;
     case RecorderEventKind::Recovered:
         say(key, BannerKind::Info, tr("All samples are on the disk again."), {});
         break;
     case RecorderEventKind::Full:
-        say(key, BannerKind::Bad, tr("The memory for samples is full, the run has ended."), sentence, {}, false);
+        say(key, BannerKind::Bad, tr("The memory for samples is full, the run has ended."), sentence, {},
+            false);
         break;
     }
-    context().events.add(event.kind == RecorderEventKind::Recovered ? EventKind::Info : EventKind::Caution, sentence);
 }
 
 void RecordPage::saveUnwritten()
@@ -134,9 +135,11 @@ void RecordPage::saveUnwritten()
             return;
         const Status written = writeCsv(file.toStdString(), *rest);
         if (written.ok())
-            say(QStringLiteral("recorder"), BannerKind::Info, tr("The rest of the run is in %1.").arg(file), {});
+            say(QStringLiteral("recorder"), BannerKind::Info, tr("The rest of the run is in %1.").arg(file),
+                {});
         else
-            say(QStringLiteral("recorder"), BannerKind::Bad, sentenceOf(written.error()), {}, {m_saveRest}, false);
+            say(QStringLiteral("recorder"), BannerKind::Bad, sentenceOf(written.error()), {}, {m_saveRest},
+                false);
     });
     dialog->open();
 }
@@ -175,7 +178,8 @@ void RecordPage::showAbsence()
     else if (const auto silentS = m_run->silentForS())
         say(key, BannerKind::Caution,
             tr("No samples have come for %1 s.").arg(numberText(std::floor(*silentS), 0)),
-            tr("Look at the cable and the bridge; the run goes on as soon as they come again."), {m_stop}, false);
+            tr("Look at the cable and the bridge; the run goes on as soon as they come again."), {m_stop},
+            false);
     else if (banners().holds(key))
         banners().withdraw(key);
 }
@@ -189,7 +193,8 @@ void RecordPage::showFigures()
         showPauseBanner();
     }
     const auto progress = m_run->isRecording() ? m_run->progress() : std::nullopt;
-    const auto percent = progress ? std::optional(static_cast<int>(100.0 * progress->fraction)) : std::nullopt;
+    const auto percent =
+        progress ? std::optional(static_cast<int>(100.0 * progress->fraction)) : std::nullopt;
     const bool moved = percent != m_percent;
     m_percent = percent;
     if (moved || (m_run->isRecording() && m_run->link().lost > 0))
@@ -232,8 +237,8 @@ void RecordPage::showContext()
     QStringList names;
     for (const std::string &name : m_run->model()->trainedOn)
         names.append(QString::fromStdString(name));
-    const QString trainedOn = names.size() > 2 ? tr("%1 to %2").arg(names.front(), names.back())
-                                               : names.join(tr(" and "));
+    const QString trainedOn =
+        names.size() > 2 ? tr("%1 to %2").arg(names.front(), names.back()) : names.join(tr(" and "));
     head().setContext(tr("%1, compensated by the model of %2").arg(run, trainedOn));
 }
 
@@ -256,11 +261,11 @@ void RecordPage::showState()
     for (QWidget *widget : {static_cast<QWidget *>(m_legend), static_cast<QWidget *>(m_span),
                             static_cast<QWidget *>(m_quantity)})
         widget->setEnabled(traces);
-    m_legend->setVisible(traces);
     const auto runs = static_cast<int>(workbench.session().runs().size());
     m_empty->setTexts(runs > 0 ? tr("%n run(s) in the session", nullptr, runs) : tr("No runs yet"),
-                      workbench.sourceChoice() ? tr("Record the next run from: %1.").arg(workbench.sourceName())
-                                               : tr("Choose a source, then record a run."));
+                      workbench.sourceChoice()
+                          ? tr("Record the next run from: %1.").arg(workbench.sourceName())
+                          : tr("Choose a source, then record a run."));
     m_empty->setActions(workbench.sourceChoice() ? std::vector<QAction *>{m_start}
                                                  : std::vector<QAction *>{m_goToSource});
     showLegend();
@@ -286,7 +291,8 @@ QString RecordPage::hints() const
 {
     if (m_view->isPaused())
         return tr("Space resume the view · Wheel zoom · Drag pan · A, B set a cursor at the mouse");
-    return tr("Wheel zoom · Drag pan · Shift+drag box zoom · Double-click fit · A, B set a cursor at the mouse");
+    return tr(
+        "Wheel zoom · Drag pan · Shift+drag box zoom · Double-click fit · A, B set a cursor at the mouse");
 }
 
 std::vector<StatusPart> RecordPage::statusParts() const
@@ -296,7 +302,8 @@ std::vector<StatusPart> RecordPage::statusParts() const
         return {};
     if (link.lost == 0)
         return {{tr("No samples dropped"), Tone::Plain}};
-    return {{tr("%1 dropped of %2").arg(numberText(double(link.lost), 0), numberText(double(link.samples + link.lost), 0)),
+    return {{tr("%1 dropped of %2")
+                 .arg(numberText(double(link.lost), 0), numberText(double(link.samples + link.lost), 0)),
              Tone::Caution}};
 }
 

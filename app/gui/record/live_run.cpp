@@ -184,8 +184,7 @@ void LiveRun::apply(const SampleBlock &block)
 void LiveRun::countSaturated(const SampleBlock &block)
 {
     if (m_rangeDps > 0.0)
-        m_link.saturated +=
-            (block.rateDps.array().abs() >= kAtTheEnd * m_rangeDps).rowwise().any().count();
+        m_link.saturated += (block.rateDps.array().abs() >= kAtTheEnd * m_rangeDps).rowwise().any().count();
 }
 
 void LiveRun::takeGap(const SampleGap &gap)

@@ -1,6 +1,6 @@
 // The run that is being recorded, as the Record page shows it: it listens to the acquisition, applies the
-// session's model, keeps the score, and hands the samples on to the live view. Its time is the run's: 0 at the
-// first recorded sample.
+// session's model, keeps the score, and hands the samples on to the live view. Its time is the run's: 0 at
+// the first recorded sample.
 #pragma once
 
 #include "app/gui/record/run_progress.h"

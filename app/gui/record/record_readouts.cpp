@@ -204,7 +204,8 @@ void RecordReadouts::showProgress()
     const QString none(QChar(0x2013));
     m_bar->setEnabled(progress.has_value());
     m_bar->setValue(progress ? static_cast<int>(1000.0 * progress->fraction) : 0);
-    m_percent->setText(progress ? tr("%1 %").arg(numberText(std::floor(100.0 * progress->fraction), 0)) : none);
+    m_percent->setText(progress ? tr("%1 %").arg(numberText(std::floor(100.0 * progress->fraction), 0))
+                                : none);
     QString note = progress ? phaseText(*progress) : QString();
     if (!progress && m_run.isHolding())
         note = tr("plateau");
@@ -271,15 +272,19 @@ void RecordReadouts::showLink()
     const LinkFigures &link = m_run.link();
     const QString none(QChar(0x2013));
     m_linkHead->setNote(link.lastGapS ? tr("last gap %1").arg(clockText(*link.lastGapS)) : QString());
-    const QString rate = link.rateHz > 0.0 ? tr("%1 Hz").arg(numberText(link.rateHz, link.rateHz < 1000.0 ? 1 : 0)) : none;
+    const QString rate =
+        link.rateHz > 0.0 ? tr("%1 Hz").arg(numberText(link.rateHz, link.rateHz < 1000.0 ? 1 : 0)) : none;
     m_link->setValue(0, tr("%1, %2").arg(rate, numberText(static_cast<double>(link.samples), 0)));
-    const double share = link.samples > 0 ? 100.0 * double(link.lost) / double(link.samples + link.lost) : 0.0;
+    const double share =
+        link.samples > 0 ? 100.0 * double(link.lost) / double(link.samples + link.lost) : 0.0;
     m_link->setValue(1,
-                     link.lost > 0 ? tr("%1 (%2 %)").arg(numberText(double(link.lost), 0), numberText(share, 3))
-                                   : numberText(0.0, 0),
+                     link.lost > 0
+                         ? tr("%1 (%2 %)").arg(numberText(double(link.lost), 0), numberText(share, 3))
+                         : numberText(0.0, 0),
                      link.lost > 0 ? Tone::Caution : Tone::Plain);
-    m_link->setValue(2, tr("%1, %2").arg(numberText(double(link.overruns), 0), numberText(double(link.saturated), 0)),
-                     link.overruns + link.saturated > 0 ? Tone::Caution : Tone::Plain);
+    m_link->setValue(
+        2, tr("%1, %2").arg(numberText(double(link.overruns), 0), numberText(double(link.saturated), 0)),
+        link.overruns + link.saturated > 0 ? Tone::Caution : Tone::Plain);
 }
 
 void RecordReadouts::clearTrend()

@@ -25,8 +25,9 @@ std::optional<RunProgress> PlanProgress::at(double elapsedS) const
     progress.ended = elapsedS >= durationS;
     const auto &steps = m_profile->steps();
     progress.steps = static_cast<int>(steps.size()) - 1;
-    const auto next = std::upper_bound(steps.begin(), steps.end(), elapsedS,
-                                       [](double timeS, const ProfileStep &step) { return timeS < step.startS; });
+    const auto next =
+        std::upper_bound(steps.begin(), steps.end(), elapsedS,
+                         [](double timeS, const ProfileStep &step) { return timeS < step.startS; });
     progress.step = std::max(static_cast<int>(next - steps.begin()) - 1, 0);
     for (const PlanSegment &segment : m_segments) {
         if (elapsedS < segment.startS || segment.isHold())
