@@ -1,12 +1,13 @@
 #include "app/report/figure_list.h"
 
 #include "app/report/figure_writer.h"
+#include "app/report/report_text.h"
 #include "engine/base/axes.h"
-#include "engine/evaluation/allan.h"
 #include "widgets/style/role_pens.h"
 #include "widgets/views/allan_view.h"
 #include "widgets/views/before_after_view.h"
 #include "widgets/views/centres_view.h"
+#include "widgets/views/judged_run_view.h"
 #include "widgets/views/residual_view.h"
 #include "widgets/views/tcq_scatter_view.h"
 #include "widgets/views/tcq_time_view.h"
@@ -14,18 +15,6 @@
 #include <cctype>
 
 namespace driftbench {
-
-namespace {
-
-// A run that was held out, with the model that never saw it.
-struct HeldOutRun
-{
-    const ReportRun *run = nullptr;
-    const TrainedModel *model = nullptr;
-    Eigen::MatrixX3d residualDps;
-};
-
-} // namespace
 
 static QString axisName(int axis)
 {
@@ -48,41 +37,68 @@ static std::vector<std::shared_ptr<const RunFeatures>> featuresOfAll(const Repor
     return runs;
 }
 
-static std::vector<HeldOutRun> heldOutRuns(const ReportData &data)
+Result<PreparedFigures> prepareFigures(std::shared_ptr<const ReportData> data, const ProgressHook &hook)
 {
-    std::vector<HeldOutRun> result;
-    for (const ReportRun &run : data.runs) {
-        const auto models = data.heldOut.find(run.features->name);
-        const TrainedModel *model = models == data.heldOut.end() ? nullptr : mainModel(models->second);
+    PreparedFigures prepared;
+    prepared.data = std::move(data);
+    const ReportData &report = *prepared.data;
+    const Judging judging = judgingFromName(report.judging).value_or(Judging::Absolute);
+    std::size_t done = 0;
+    for (const ReportRun &run : report.runs) {
+        const double part = static_cast<double>(done++) / static_cast<double>(report.runs.size());
+        if (driftbench::report(hook, "preparing the report", part) == Flow::Stop)
+            return Error{Errc::Cancelled, "The report was cancelled; nothing was written."};
+        const auto models = report.heldOut.find(run.features->name);
+        const TrainedModel *model = models == report.heldOut.end() ? nullptr : mainModel(models->second);
         if (model == nullptr)
             continue;
-        const Eigen::VectorXd temperatureC = run.features->deltaT.array() + data.referenceTemperatureC;
-        result.push_back(
-            {&run, model, run.features->tdeDps - predictAtTemperature(*model, temperatureC).tdeDps});
+        const auto constant = models->second.find("constant");
+        const Eigen::VectorXd temperatureC = run.features->deltaT.array() + report.referenceTemperatureC;
+        prepared.heldOut.push_back(
+            {&run, model, run.features->tdeDps - predictAtTemperature(*model, temperatureC).tdeDps,
+             judgedTraces(run.features, *model,
+                          constant == models->second.end() ? nullptr : &constant->second, judging)});
     }
-    return result;
+    return prepared;
 }
 
-static QString trainedOnText(const TrainedModel &model)
+QString trainedOnText(const TrainedModel &model)
 {
     QStringList runs;
     for (const std::string &run : model.trainedOn)
         runs.append(QString::fromStdString(run));
-    return QStringLiteral("%1 trained on %2")
-        .arg(modelLabel(model.name),
-             runs.isEmpty() ? QStringLiteral("other runs") : runs.join(QStringLiteral(", ")));
+    return runs.isEmpty() ? ReportText::tr("%1 trained on other runs").arg(modelLabel(model.name))
+                          : ReportText::tr("%1 trained on %2")
+                                .arg(modelLabel(model.name), runs.join(QStringLiteral(", ")));
 }
 
-static void writeTcqOverTime(const ReportData &data, const Palette &look, FigureWriter &writer)
+static FigureTask tcqOverTime(const ReportData &data, const Palette &look)
 {
-    if (data.runs.empty())
-        return;
-    TcqTimeView view(look);
-    view.setRun(data.runs.front().features);
-    writer.write(
-        view, "fig7_tcq_over_time", QStringLiteral("Temperature quantities and drift error over time"),
-        QStringLiteral("Run %1: ΔT, ΔT² and √ΔT, and the temperature drift error (TDE) of each axis.")
-            .arg(QString::fromStdString(data.runs.front().features->name)));
+    const auto run = data.runs.front().features;
+    return {"fig7_tcq_over_time", ReportText::tr("Temperature quantities and drift error over time"),
+            ReportText::tr("Run %1: ΔT, ΔT² and √ΔT, and the temperature drift error (TDE) of each axis.")
+                .arg(QString::fromStdString(run->name)),
+            [run, look] {
+                auto view = std::make_unique<TcqTimeView>(look);
+                view->setRun(run);
+                return view;
+            }};
+}
+
+static void gatherExcluded(const ReportData &data, TcqScatterData &scatter)
+{
+    Eigen::Index excluded = 0;
+    for (const ReportRun &run : data.runs)
+        excluded += run.excludedDeltaT.size();
+    scatter.excludedDeltaT.resize(excluded);
+    scatter.excludedTdeDps.resize(excluded, 3);
+    Eigen::Index row = 0;
+    for (const ReportRun &run : data.runs) {
+        const Eigen::Index count = run.excludedDeltaT.size();
+        scatter.excludedDeltaT.segment(row, count) = run.excludedDeltaT;
+        scatter.excludedTdeDps.middleRows(row, count) = run.excludedTdeDps;
+        row += count;
+    }
 }
 
 static TcqScatterData scatterOf(const ReportData &data, int axis)
@@ -100,36 +116,24 @@ static TcqScatterData scatterOf(const ReportData &data, int axis)
                 scatter.curves.push_back(modelCurve(found->second));
         }
     }
-    Eigen::Index excluded = 0;
-    for (const ReportRun &run : data.runs)
-        excluded += run.excludedDeltaT.size();
-    scatter.excludedDeltaT.resize(excluded);
-    scatter.excludedTdeDps.resize(excluded, 3);
-    Eigen::Index row = 0;
-    for (const ReportRun &run : data.runs) {
-        const Eigen::Index count = run.excludedDeltaT.size();
-        scatter.excludedDeltaT.segment(row, count) = run.excludedDeltaT;
-        scatter.excludedTdeDps.middleRows(row, count) = run.excludedTdeDps;
-        row += count;
-    }
+    gatherExcluded(data, scatter);
     return scatter;
 }
 
-static void writeTcqAgainstTde(const ReportData &data, const Palette &look, FigureWriter &writer)
+static FigureTask tcqAgainstTde(const std::shared_ptr<const ReportData> &data, int axis, const Palette &look)
 {
-    for (int axis = 0; axis < kAxisCount; ++axis) {
-        TcqScatterView view(look);
-        view.setData(scatterOf(data, axis));
-        writer.write(
-            view, "fig8_tcq_against_tde_" + axisName(axis).toStdString(),
-            QStringLiteral("TDE of %1 against each temperature quantity").arg(axisName(axis)),
-            QStringLiteral("All runs, with the curves fitted to them; below, what the fitted curve "
-                           "leaves. Where heating and cooling part, no curve of temperature follows."));
-    }
+    return {"fig8_tcq_against_tde_" + axisName(axis).toStdString(),
+            ReportText::tr("TDE of %1 against each temperature quantity").arg(axisName(axis)),
+            ReportText::tr("All runs, with the curves fitted to them; below, what the fitted curve "
+                           "leaves. Where heating and cooling part, no curve of temperature follows."),
+            [data, axis, look] {
+                auto view = std::make_unique<TcqScatterView>(look);
+                view->setData(scatterOf(*data, axis));
+                return view;
+            }};
 }
 
-static void writeBeforeAfter(const ReportData &data, const Palette &look, const HeldOutRun &heldOut,
-                             FigureWriter &writer)
+static BeforeAfterData tracesOf(const ReportData &data, const HeldOutRun &heldOut)
 {
     const RunFeatures &run = *heldOut.run->features;
     const Eigen::RowVector3d reference = heldOut.run->referenceRateDps.transpose();
@@ -140,80 +144,132 @@ static void writeBeforeAfter(const ReportData &data, const Palette &look, const 
     traces.afterDps = heldOut.residualDps.rowwise() + reference;
     traces.referenceRateDps = heldOut.run->referenceRateDps;
     traces.afterText = trainedOnText(*heldOut.model);
-    BeforeAfterView view(look);
-    view.setData(std::move(traces));
-    writer.write(
-        view, "fig10_before_after_" + fileNamePart(run.name),
-        QStringLiteral("Run %1 before and after compensation").arg(QString::fromStdString(run.name)),
-        QStringLiteral("The model has not seen this run. Mean, and lowest to highest, of each stretch of "
-                       "time; rms about the reference rate."));
+    return traces;
 }
 
-static void writeAllan(const Palette &look, const HeldOutRun &heldOut, FigureWriter &writer)
+static FigureTask beforeAfter(const PreparedFigures &prepared, std::size_t run, const Palette &look)
 {
-    const RunFeatures &run = *heldOut.run->features;
-    AllanView view(look);
-    view.setData({allanDeviation(run.timeS, run.tdeDps), allanDeviation(run.timeS, heldOut.residualDps),
-                  trainedOnText(*heldOut.model)});
-    writer.write(view, "allan_" + fileNamePart(run.name),
-                 QStringLiteral("Allan deviation of run %1").arg(QString::fromStdString(run.name)),
-                 QStringLiteral("Noise falls with the averaging time, drift rises with it."));
+    const std::string &name = prepared.heldOut[run].run->features->name;
+    return {"fig10_before_after_" + fileNamePart(name),
+            ReportText::tr("Run %1 before and after compensation").arg(QString::fromStdString(name)),
+            ReportText::tr("The model has not seen this run. Mean, and lowest to highest, of each stretch of "
+                           "time; rms about the reference rate."),
+            [prepared, run, look] {
+                auto view = std::make_unique<BeforeAfterView>(look);
+                view->setData(tracesOf(*prepared.data, prepared.heldOut[run]));
+                return view;
+            }};
 }
 
-static void writeResiduals(const ReportData &data, const Palette &look,
-                           const std::vector<HeldOutRun> &heldOut, FigureWriter &writer)
+static FigureTask allanOf(const PreparedFigures &prepared, std::size_t run, const Palette &look)
 {
-    ResidualData residuals;
-    residuals.referenceTemperatureC = data.referenceTemperatureC;
-    for (const HeldOutRun &run : heldOut) {
-        residuals.runs.push_back(run.run->features);
-        residuals.residualDps.push_back(run.residualDps);
-    }
-    if (const TrainedModel *main = mainModel(data.models))
-        residuals.band = main->band;
-    ResidualView view(look);
-    view.setData(std::move(residuals));
-    writer.write(
-        view, "residuals", QStringLiteral("What is left of the TDE on runs held out"),
-        QStringLiteral("Each run less the model that has not seen it. Lines that are level at zero mean "
-                       "that the drift repeats."));
+    const std::string &name = prepared.heldOut[run].run->features->name;
+    return {"allan_" + fileNamePart(name),
+            ReportText::tr("Allan deviation of run %1").arg(QString::fromStdString(name)),
+            ReportText::tr("Noise falls with the averaging time, drift rises with it."),
+            [prepared, run, look] {
+                const HeldOutRun &heldOut = prepared.heldOut[run];
+                const RunFeatures &features = *heldOut.run->features;
+                auto view = std::make_unique<AllanView>(look);
+                view->setData({allanDeviation(features.timeS, features.tdeDps),
+                               allanDeviation(features.timeS, heldOut.residualDps),
+                               trainedOnText(*heldOut.model)});
+                return view;
+            }};
 }
 
-static void writeCentres(const ReportData &data, const Palette &look, FigureWriter &writer)
+static FigureTask judgedRun(const PreparedFigures &prepared, std::size_t run, const Palette &look)
 {
-    const auto found = data.models.find("rbf");
-    const auto *network =
-        found == data.models.end() ? nullptr : std::get_if<RbfNetwork>(&found->second.model);
-    if (network == nullptr)
-        return;
+    const std::string &name = prepared.heldOut[run].run->features->name;
+    return {
+        "judged_" + fileNamePart(name),
+        ReportText::tr("Run %1, held out: what is left, and its Allan deviation")
+            .arg(QString::fromStdString(name)),
+        ReportText::tr("Before, less the constant; after, by a model that has not seen this run. Each axis "
+                       "has its own scale."),
+        [prepared, run, look] {
+            auto view = std::make_unique<JudgedRunView>(look);
+            view->setData({std::make_shared<const JudgedTraces>(prepared.heldOut[run].traces),
+                           prepared.data->limitDps});
+            return view;
+        }};
+}
+
+static FigureTask residuals(const PreparedFigures &prepared, const Palette &look)
+{
+    return {"residuals", ReportText::tr("What is left of the TDE on runs held out"),
+            ReportText::tr("Each run less the model that has not seen it. Lines that are level at zero mean "
+                           "that the drift repeats."),
+            [prepared, look] {
+                ResidualData shown;
+                shown.referenceTemperatureC = prepared.data->referenceTemperatureC;
+                for (const HeldOutRun &run : prepared.heldOut) {
+                    shown.runs.push_back(run.run->features);
+                    shown.residualDps.push_back(run.residualDps);
+                }
+                if (const TrainedModel *main = mainModel(prepared.data->models))
+                    shown.band = main->band;
+                auto view = std::make_unique<ResidualView>(look);
+                view->setData(std::move(shown));
+                return view;
+            }};
+}
+
+static CentresData centresOf(const ReportData &data, const TrainedModel &model, const RbfNetwork &network)
+{
     CentresData centres;
     centres.selection = data.rbfSelection;
-    centres.curve = modelCurve(found->second);
-    centres.centres = rbfCentres(*network);
-    centres.centreCount = network->centreCount;
+    centres.curve = modelCurve(model);
+    centres.centres = rbfCentres(network);
+    centres.centreCount = network.centreCount;
     centres.runs = featuresOfAll(data);
     centres.referenceTemperatureC = data.referenceTemperatureC;
-    CentresView view(look);
-    view.setData(std::move(centres));
-    writer.write(
-        view, "centres", QStringLiteral("How many centres the RBF network needs"),
-        QStringLiteral("The smallest number whose loss on data left out is as good as the lowest; below, "
-                       "where the centres stand."));
+    return centres;
+}
+
+static FigureTask centres(const std::shared_ptr<const ReportData> &data, const Palette &look)
+{
+    return {"centres", ReportText::tr("How many centres the RBF network needs"),
+            ReportText::tr("The smallest number whose loss on data left out is as good as the lowest; below, "
+                           "where the centres stand."),
+            [data, look] {
+                auto view = std::make_unique<CentresView>(look);
+                const auto found = data->models.find("rbf");
+                const auto *network =
+                    found == data->models.end() ? nullptr : std::get_if<RbfNetwork>(&found->second.model);
+                if (network != nullptr)
+                    view->setData(centresOf(*data, found->second, *network));
+                return view;
+            }};
+}
+
+std::vector<FigureTask> figureTasks(const PreparedFigures &prepared, const Palette &look, bool judged)
+{
+    std::vector<FigureTask> tasks;
+    if (!prepared.data->runs.empty())
+        tasks.push_back(tcqOverTime(*prepared.data, look));
+    for (int axis = 0; axis < kAxisCount; ++axis)
+        tasks.push_back(tcqAgainstTde(prepared.data, axis, look));
+    for (std::size_t run = 0; run < prepared.heldOut.size(); ++run)
+        tasks.push_back(beforeAfter(prepared, run, look));
+    tasks.push_back(residuals(prepared, look));
+    for (std::size_t run = 0; run < prepared.heldOut.size(); ++run)
+        tasks.push_back(judged ? judgedRun(prepared, run, look) : allanOf(prepared, run, look));
+    tasks.push_back(centres(prepared.data, look));
+    return tasks;
 }
 
 Result<std::vector<WrittenFigure>> writeFigures(const ReportData &data, const Palette &look,
                                                 const std::filesystem::path &folder)
 {
-    FigureWriter writer(folder, data.simulated ? QStringLiteral("Simulated data") : QString());
-    const std::vector<HeldOutRun> heldOut = heldOutRuns(data);
-    writeTcqOverTime(data, look, writer);
-    writeTcqAgainstTde(data, look, writer);
-    for (const HeldOutRun &run : heldOut)
-        writeBeforeAfter(data, look, run, writer);
-    writeResiduals(data, look, heldOut, writer);
-    for (const HeldOutRun &run : heldOut)
-        writeAllan(look, run, writer);
-    writeCentres(data, look, writer);
+    FigureWriter writer(folder, data.simulated ? ReportText::tr("Simulated data") : QString());
+    const auto prepared = prepareFigures(std::make_shared<const ReportData>(data));
+    if (!prepared)
+        return prepared.error();
+    for (const FigureTask &task : figureTasks(*prepared, look)) {
+        const auto view = task.make();
+        writer.write(*view, task.stem, task.title, task.caption);
+    }
     return writer.finish();
 }
 

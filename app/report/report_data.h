@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/evaluation/comparison.h"
+#include "engine/exports/comparison_files.h"
 #include "engine/features/run_features.h"
 #include "engine/models/rbf_trainer.h"
 #include "engine/models/trained_model.h"
@@ -36,7 +37,13 @@ struct ReportData
     std::optional<RbfSelection> rbfSelection;
     std::array<AxisVerdict, 3> verdicts;
     std::vector<ComparisonRow> rows;
-    std::vector<std::string> warnings; // what the report had to leave out, and why
+    std::vector<RunFacts> facts; // of the runs: where they come from, what was left out
+    Hysteresis hysteresis;
+    std::uint64_t seed = 0;
+    std::vector<std::string> holdOut;        // empty: each run was left out in turn
+    std::optional<double> limitDps;          // of what may be left, rms; nothing: none was set
+    std::map<std::string, double> trainingS; // by model, where that is known
+    std::vector<std::string> warnings;       // what the report had to leave out, and why
 };
 
 // The model that the figures show as the result: "rbf" where it was trained, else the first of the others

@@ -64,6 +64,7 @@ static void keepRuns(const LoadedCampaign &loaded, ReportData &data)
         kept.referenceRateDps = run.referenceRateDps;
         keepExcluded(run, data.referenceTemperatureC, kept);
         data.runs.push_back(std::move(kept));
+        data.facts.push_back(factsOf(run));
     }
 }
 
@@ -110,6 +111,25 @@ static ReportData withFigures(ReadComparison figures)
     data.rbfSelection = std::move(figures.rbfSelection);
     data.verdicts = figures.verdicts;
     data.rows = std::move(figures.rows);
+    data.hysteresis = std::move(figures.hysteresis);
+    data.seed = figures.seed;
+    data.holdOut = std::move(figures.holdOut);
+    data.warnings = std::move(figures.warnings);
+    return data;
+}
+
+ReportData reportDataOf(const PreparedCampaign &prepared, const CalibrationResult &result)
+{
+    ReportData data = withFigures(result.figures);
+    data.limitDps = prepared.plan.limitRmsDps;
+    data.trainingS = result.trainingS;
+    keepRuns(prepared.loaded, data);
+    for (const TrainedModel &model : result.models)
+        data.models.emplace(model.name, model);
+    for (const HeldOutModels &fold : result.heldOut) {
+        for (const TrainedModel &model : fold.models)
+            data.heldOut[fold.fold].emplace(model.name, model);
+    }
     return data;
 }
 
@@ -124,9 +144,8 @@ static Result<ReportData> loadSessionReport(const std::filesystem::path &path)
                                           " holds no models of its runs as they are now; train them with "
                                           "\"driftbench-cli fit " +
                                           path.string() + "\"."};
-    ReportData data = withFigures(result->figures);
     CalibrationPlan plan = (*session)->plan();
-    plan.referenceTemperatureC = data.referenceTemperatureC;
+    plan.referenceTemperatureC = result->figures.referenceTemperatureC;
     const auto runs = loadRuns((*session)->file(), plan, {});
     if (!runs)
         return runs.error();
@@ -135,14 +154,7 @@ static Result<ReportData> loadSessionReport(const std::filesystem::path &path)
         return prepared.error();
     if (prepared->refusal)
         return *prepared->refusal;
-    keepRuns(prepared->loaded, data);
-    for (const TrainedModel &model : result->models)
-        data.models.emplace(model.name, model);
-    for (const HeldOutModels &fold : result->heldOut) {
-        for (const TrainedModel &model : fold.models)
-            data.heldOut[fold.fold].emplace(model.name, model);
-    }
-    return data;
+    return reportDataOf(*prepared, *result);
 }
 
 Result<ReportData> loadReportData(const std::filesystem::path &folder)

@@ -36,6 +36,7 @@ Json trainingToJson(const CalibrationPlan &plan)
             {"rbf_ridge", plan.rbf.ridge},
             {"rbf_levels", plan.rbf.levels},
             {"rbf_centres", plan.rbf.centres},
+            {"rbf_inputs", plan.rbf.inputs},
             {"bp_hidden_units", plan.bp.hiddenUnits},
             {"bp_starts", plan.bp.starts},
             {"bp_iterations", plan.bp.iterations}};
@@ -63,6 +64,8 @@ void readTraining(const Json &json, CalibrationPlan &plan)
     plan.rbf.ridge = json.at("rbf_ridge").get<double>();
     plan.rbf.levels = json.at("rbf_levels").get<int>();
     plan.rbf.centres = json.at("rbf_centres").get<int>();
+    if (json.contains("rbf_inputs"))
+        plan.rbf.inputs = json.at("rbf_inputs").get<std::array<bool, 3>>();
     plan.bp.hiddenUnits = json.at("bp_hidden_units").get<int>();
     plan.bp.starts = json.at("bp_starts").get<int>();
     plan.bp.iterations = json.at("bp_iterations").get<int>();
@@ -117,6 +120,13 @@ RunInPlan *CalibrationPlan::find(RunId run)
 bool operator==(const CalibrationPlan &a, const CalibrationPlan &b)
 {
     return planJson(a) == planJson(b) && marksJson(a) == marksJson(b);
+}
+
+bool computesTheSame(const CalibrationPlan &a, const CalibrationPlan &b)
+{
+    CalibrationPlan other = b;
+    other.limitRmsDps = a.limitRmsDps;
+    return a == other;
 }
 
 std::optional<bool> passes(const CalibrationPlan &plan, const ComparisonRow &row)

@@ -46,6 +46,8 @@ struct CalibrationPlan
 };
 
 bool operator==(const CalibrationPlan &a, const CalibrationPlan &b);
+// Equal but for the limit, by which nothing is computed: what was made by one is also that of the other.
+bool computesTheSame(const CalibrationPlan &a, const CalibrationPlan &b);
 
 // A run passes on an axis if what the model leaves stays within the limit; nothing without a limit.
 std::optional<bool> passes(const CalibrationPlan &plan, const ComparisonRow &row);

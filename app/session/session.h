@@ -170,6 +170,7 @@ private:
     Status readRuns();
     // Drops what is computed, saves, tells.
     Status inputsChanged(bool runs, bool plan);
+    Status planEdited(const CalibrationPlan &before);
     Status save(Part part);
     Status write(Part part);
     Status writePlan();

@@ -166,32 +166,45 @@ Status Session::inputsChanged(bool runs, bool otherPlan)
     return saved;
 }
 
+// By a limit nothing is computed, so nothing is dropped.
+Status Session::planEdited(const CalibrationPlan &before)
+{
+    if (!computesTheSame(before, plan()))
+        return inputsChanged(false, true);
+    const Status saved = save(Part::Plan);
+    emit planChanged();
+    return saved;
+}
+
 Status Session::editPlan(CalibrationPlan plan, const QString &text)
 {
     if (Status may = mayChange(); !may)
         return may;
+    const CalibrationPlan before = this->plan();
     if (!m_history.edit(fittedToRuns(std::move(plan), m_runs), text))
         return {};
-    return inputsChanged(false, true);
+    return planEdited(before);
 }
 
 Status Session::undo()
 {
     if (Status may = mayChange(); !may)
         return may;
-    return m_history.undo() ? inputsChanged(false, true) : Status();
+    const CalibrationPlan before = plan();
+    return m_history.undo() ? planEdited(before) : Status();
 }
 
 Status Session::redo()
 {
     if (Status may = mayChange(); !may)
         return may;
-    return m_history.redo() ? inputsChanged(false, true) : Status();
+    const CalibrationPlan before = plan();
+    return m_history.redo() ? planEdited(before) : Status();
 }
 
 bool Session::setPrepared(const std::shared_ptr<const PreparedCampaign> &prepared)
 {
-    if (!prepared || !(prepared->plan == plan()))
+    if (!prepared || !computesTheSame(prepared->plan, plan()))
         return false;
     m_prepared = prepared;
     emit preparedChanged();

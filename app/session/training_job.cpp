@@ -7,7 +7,7 @@ namespace {
 Result<std::shared_ptr<const PreparedCampaign>> preparedFrom(const TrainingInput &input,
                                                              const ProgressHook &hook)
 {
-    if (input.prepared && input.prepared->plan == input.plan)
+    if (input.prepared && computesTheSame(input.prepared->plan, input.plan))
         return input.prepared;
     std::vector<LoadedRun> runs = input.known;
     if (input.file) {

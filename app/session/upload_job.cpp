@@ -40,4 +40,25 @@ bool UploadJob::readBack(OpenClient open)
     });
 }
 
+static Result<DeviceTables> tablesOf(BridgeClient &client, const ProgressHook &hook)
+{
+    const auto status = client.status();
+    if (!status)
+        return status.error();
+    auto image = readTable(client, std::nullopt, hook);
+    if (!image)
+        return image.error();
+    return DeviceTables{client.info(), *status, *std::move(image)};
+}
+
+bool UploadJob::look(OpenClient open)
+{
+    return run([this, open = std::move(open)](const ProgressHook &hook) -> Deliver {
+        const auto client = open();
+        if (!client)
+            return [this, error = client.error()] { emit looked(Result<DeviceTables>(error)); };
+        return [this, tables = tablesOf(**client, hook)] { emit looked(tables); };
+    });
+}
+
 } // namespace driftbench

@@ -23,6 +23,14 @@ struct UploadOutcome
     BridgeInfo device;
 };
 
+// What a device says of its tables.
+struct DeviceTables
+{
+    BridgeInfo device;
+    BridgeStatus status;
+    std::optional<std::vector<std::uint8_t>> image; // the table in use; nothing: none is
+};
+
 class UploadJob final : public Job
 {
     Q_OBJECT
@@ -35,11 +43,13 @@ public:
     bool upload(OpenClient open, std::vector<std::uint8_t> image, const TableUploadOptions &options = {});
     bool rollBack(OpenClient open);
     bool readBack(OpenClient open); // the table in use
+    bool look(OpenClient open);     // info, banks, and the table in use
 
 signals:
     void uploaded(const driftbench::Result<driftbench::UploadOutcome> &outcome);
     void rolledBack(const driftbench::Result<driftbench::TableRollbackReport> &outcome);
     void readFinished(const driftbench::Result<std::optional<std::vector<std::uint8_t>>> &image);
+    void looked(const driftbench::Result<driftbench::DeviceTables> &tables);
 };
 
 } // namespace driftbench

@@ -119,7 +119,9 @@ Json selectionJson(const std::optional<RbfSelection> &selection)
     for (std::size_t axis = 0; axis < kAxisNames.size(); ++axis) {
         object[kAxisNames[axis]] = {{"chosen", selection->chosen[axis]},
                                     {"held_out_loss", numbers(selection->heldOutLoss[axis])},
-                                    {"training_loss", numbers(selection->trainingLoss[axis])}};
+                                    {"training_loss", numbers(selection->trainingLoss[axis])},
+                                    {"held_out_lowest", numbers(selection->heldOutLowest[axis])},
+                                    {"held_out_highest", numbers(selection->heldOutHighest[axis])}};
     }
     return object;
 }

@@ -81,6 +81,10 @@ RbfSelection selectionOf(const json &object)
         const json &ofAxis = object.at(std::string(kAxisNames[axis]));
         selection.heldOutLoss[axis] = lossesOf(ofAxis.at("held_out_loss"));
         selection.trainingLoss[axis] = lossesOf(ofAxis.at("training_loss"));
+        if (ofAxis.contains("held_out_lowest")) {
+            selection.heldOutLowest[axis] = lossesOf(ofAxis.at("held_out_lowest"));
+            selection.heldOutHighest[axis] = lossesOf(ofAxis.at("held_out_highest"));
+        }
         selection.chosen[axis] = ofAxis.at("chosen").get<int>();
     }
     selection.leftOutRuns = object.at("left_out_runs").get<bool>();

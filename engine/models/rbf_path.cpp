@@ -11,6 +11,9 @@ namespace driftbench {
 
 namespace {
 
+// Finite in a model file, and its square still is.
+constexpr double kScaleOfUnused = 1e120;
+
 constexpr double kGridRows = 512.0;
 constexpr double kEnoughDegreesOfFreedom = 100.0;
 
@@ -144,6 +147,10 @@ RbfPath makeRbfPath(const ThermalCurve &merged, const Eigen::Vector3d &noiseVari
     path.noiseVariance = noiseVariance;
     path.rows = thermalRows(merged, trainingGridFactor(merged));
     path.inputs = Standardiser::fit(path.rows.quantities, path.rows.count);
+    for (std::size_t column = 0; column < options.inputs.size(); ++column) {
+        if (!options.inputs[column])
+            path.inputs.scale[static_cast<Eigen::Index>(column)] = kScaleOfUnused;
+    }
     const Eigen::MatrixXd z = path.inputs.transform(path.rows.quantities);
     const RbfCandidates candidates = rbfCandidates(path.rows, path.inputs, options);
 
@@ -161,6 +168,8 @@ RbfPath makeRbfPath(const ThermalCurve &merged, const Eigen::Vector3d &noiseVari
     if (options.linearTerms) {
         // With hardly any rows the later TCQs depend on the earlier ones.
         for (int column = 0; column < 3 && selection.columns() < path.rows.size(); ++column) {
+            if (!options.inputs[static_cast<std::size_t>(column)])
+                break;
             if (!selection.take(weight.cwiseProduct(z.col(column)), true))
                 break;
             ++path.forcedColumns;

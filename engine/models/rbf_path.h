@@ -44,6 +44,9 @@ struct RbfPathOptions
     int levels = 7;
     int largestNumberOfCentres = 48;
     double ridge = 1.0; // lambda, in samples
+    // A quantity that is not used keeps its column with a scale so large that it is zero. Linear terms are of
+    // dT and of those that follow it without one left out between.
+    std::array<bool, 3> inputs{true, true, true};
 };
 
 struct RbfPath

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <mutex>
 
@@ -29,6 +30,7 @@ std::vector<RbfPathOptions> pathVariants(const RbfOptions &options)
     common.levels = options.levels;
     common.largestNumberOfCentres = options.largestNumberOfCentres;
     common.ridge = options.ridge;
+    common.inputs = options.inputs;
     if (options.preset == RbfPreset::Best)
         return {common};
     std::vector<RbfPathOptions> variants;
@@ -127,12 +129,18 @@ Selected select(std::vector<FoldLosses> folds, const RbfOptions &options, bool l
         for (Eigen::Index k = 0; k <= most; ++k) {
             double heldOut = 0.0;
             double training = 0.0;
+            double lowest = std::numeric_limits<double>::infinity();
+            double highest = -lowest;
             for (const FoldLosses &fold : folds) {
+                lowest = std::min(lowest, fold.heldOut(k, column));
+                highest = std::max(highest, fold.heldOut(k, column));
                 heldOut += fold.heldOut(k, column) / static_cast<double>(folds.size());
                 training += fold.training(k, column) / static_cast<double>(folds.size());
             }
             result.selection.heldOutLoss[axis].push_back(heldOut);
             result.selection.trainingLoss[axis].push_back(training);
+            result.selection.heldOutLowest[axis].push_back(lowest);
+            result.selection.heldOutHighest[axis].push_back(highest);
         }
         if (options.centres < 0)
             result.selection.chosen[axis] =
@@ -248,6 +256,9 @@ Result<RbfFit> fitRbfNetwork(const TrainingSet &set, const RbfOptions &options, 
     if (samples < 2)
         return Error{Errc::TooFewSamples,
                      "The RBF network has no samples to learn from. Record a longer run."};
+
+    if (!options.inputs[0])
+        return Error{Errc::InvalidOption, "The RBF network needs ΔT among its inputs: take it in."};
 
     const auto cache = sharedCache ? sharedCache : makeRbfPathCache();
     const std::vector<RbfPathOptions> variants = pathVariants(options);

@@ -33,6 +33,9 @@ struct RbfOptions
     int threads = 0;
     // Fixed number of centres for every axis; negative: chosen on runs left out.
     int centres = -1;
+    // Which of dT, dT^2, dT^(1/2) the network sees. dT is always one (else Errc::InvalidOption): the others
+    // can't tell every temperature from every other.
+    std::array<bool, 3> inputs{true, true, true};
 };
 
 // How well each number of centres did, for plots and reports. Index: number of centres, 0 first.
@@ -42,6 +45,9 @@ struct RbfSelection
     // noise variance of the axis: 0 is a perfect curve plus what the noise of a cell's mean adds. Per axis.
     std::array<std::vector<double>, 3> heldOutLoss;
     std::array<std::vector<double>, 3> trainingLoss;
+    // The lowest and the highest of the folds' held-out losses.
+    std::array<std::vector<double>, 3> heldOutLowest;
+    std::array<std::vector<double>, 3> heldOutHighest;
     std::array<int, 3> chosen{};
     bool leftOutRuns = true; // false: temperature blocks of a single run
 };

@@ -25,6 +25,13 @@ QImage figureAsImage(PlotView &view, const QSize &size, double pixelRatio)
     return image;
 }
 
+QPicture figureAsPicture(PlotView &view, const QSize &size)
+{
+    QPicture picture;
+    paintPlot(view.plot(), picture, size, view.look().base);
+    return picture;
+}
+
 QByteArray figureAsPng(PlotView &view, const QSize &size, double pixelRatio)
 {
     return plotAsPng(view.plot(), size, view.look().base, pixelRatio);

@@ -8,6 +8,7 @@
 
 #include <QByteArray>
 #include <QImage>
+#include <QPicture>
 
 #include <filesystem>
 
@@ -22,6 +23,8 @@ struct FigureText
 QByteArray figureAsSvg(PlotView &view, const QSize &size, const FigureText &text);
 QByteArray figureAsPdf(PlotView &view, const QSize &size, const FigureText &text);
 QImage figureAsImage(PlotView &view, const QSize &size, double pixelRatio = 2.0);
+// To be drawn again by any painter at 96 dpi, on any thread, as vectors.
+QPicture figureAsPicture(PlotView &view, const QSize &size);
 QByteArray figureAsPng(PlotView &view, const QSize &size, double pixelRatio = 2.0);
 
 // The format follows the ending: .svg, .pdf or .png (else Errc::InvalidOption). The size is the view's own.

@@ -88,4 +88,13 @@ QString modelLabel(std::string_view name)
     return QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
 }
 
+QString shortModelLabel(std::string_view name)
+{
+    if (name.starts_with("rbf"))
+        return QStringLiteral("RBF");
+    if (name == "bpnn")
+        return QStringLiteral("BP");
+    return modelLabel(name);
+}
+
 } // namespace driftbench

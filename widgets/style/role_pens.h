@@ -30,6 +30,7 @@ QPen rolePen(Role role, const Palette &palette); // 1 px
 
 // By the name of the model in files ("rbf", "cubic", ...). "auto" has the role of the main result.
 Role roleOfModel(std::string_view name);
-QString modelLabel(std::string_view name); // "RBF network", "cubic", ...
+QString modelLabel(std::string_view name);      // "RBF network", "cubic", ...
+QString shortModelLabel(std::string_view name); // "RBF", "BP", "cubic", "line": in margins
 
 } // namespace driftbench

@@ -12,13 +12,24 @@
 
 namespace driftbench {
 
-static constexpr double kMostDecadesOfLoss = 6.0;
-static constexpr double kPercent = 100.0;
 static constexpr int kCellsAMean = 50;      // of 0.02 degrees: 1 degree
 static constexpr double kWidthsShare = 0.3; // of the panel's height, below the curve
 
-CentresView::CentresView(const Palette &look, QWidget *parent)
-    : PlotView(tr("Centres of the RBF network"), look, parent)
+static QString nameOf(CentresView::Part part)
+{
+    switch (part) {
+    case CentresView::Part::Losses:
+        return CentresView::tr("Excess over the noise floor against the number of centres");
+    case CentresView::Part::Curves:
+        return CentresView::tr("The curve, its centres and their widths");
+    case CentresView::Part::Both:
+        break;
+    }
+    return CentresView::tr("Centres of the RBF network");
+}
+
+CentresView::CentresView(const Palette &look, QWidget *parent, Part part)
+    : PlotView(nameOf(part), look, parent), m_part(part)
 {
     rebuild();
 }
@@ -27,78 +38,6 @@ void CentresView::setData(CentresData shown)
 {
     m_data = std::move(shown);
     rebuild();
-}
-
-static QPen trainingPen(const Palette &look)
-{
-    QPen pen = rolePen(Role::Compensated, look);
-    pen.setDashPattern({3, 2});
-    pen.setCapStyle(Qt::FlatCap);
-    return pen;
-}
-
-// Losses in percent; what cannot stand on a logarithmic axis breaks the line.
-static QVector<double> inPercent(const std::vector<double> &losses)
-{
-    QVector<double> values;
-    for (const double loss : losses)
-        values.append(loss > 0.0 && std::isfinite(loss) ? kPercent * loss : NAN);
-    return values;
-}
-
-static QVector<double> countsUpTo(qsizetype size)
-{
-    QVector<double> counts;
-    for (qsizetype i = 0; i < size; ++i)
-        counts.append(static_cast<double>(i));
-    return counts;
-}
-
-void CentresView::buildLosses()
-{
-    using Kind = LegendEntry::Kind;
-    const RbfSelection &selection = *m_data.selection;
-    const QString leftOut = selection.leftOutRuns ? tr("runs left out") : tr("temperature blocks left out");
-    const QPen chosen(look().axisLine, 1.0);
-    addLegend({{Kind::Heading, tr("Excess over the noise floor"), QPen(Qt::NoPen), {}},
-               {Kind::Line, tr("On %1, mean").arg(leftOut), rolePen(Role::Compensated, look()), {}},
-               {Kind::Line, tr("On the training runs"), trainingPen(look()), {}},
-               {Kind::Line, tr("Chosen number"), chosen, {}}});
-    Extent losses;
-    std::size_t most = 1;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        most = std::max({most, selection.heldOutLoss[axis].size(), selection.trainingLoss[axis].size()});
-        for (const auto *ofAxis : {&selection.heldOutLoss[axis], &selection.trainingLoss[axis]}) {
-            for (const double value : inPercent(*ofAxis))
-                losses.include(value);
-        }
-    }
-    if (losses.empty())
-        losses.include(1.0);
-    const double lowest = std::max(losses.low(), losses.high() * std::pow(10.0, -kMostDecadesOfLoss));
-    QCPLayoutGrid &grid = addPanels(true);
-    for (int axis = 0; axis < kAxisCount; ++axis) {
-        const auto a = static_cast<std::size_t>(axis);
-        QCPAxisRect &rect = addPanel(grid, 0, axis);
-        QCPAxis &bottom = *rect.axis(QCPAxis::atBottom);
-        QCPAxis &left = *rect.axis(QCPAxis::atLeft);
-        bottom.setTicker(QSharedPointer<QCPAxisTicker>(new CountTicker));
-        bottom.setRange(0.0, std::max(1.0, static_cast<double>(most) - 1.0));
-        bottom.setLabel(tr("Number of centres"));
-        applyLogScale(left, lowest, losses.high());
-        left.setLabel(tr("Excess MSD (%)"));
-        if (axis > 0)
-            hideAxisText(left);
-        addVertical(rect, selection.chosen[a], chosen);
-        const auto training = inPercent(selection.trainingLoss[a]);
-        const auto heldOut = inPercent(selection.heldOutLoss[a]);
-        addLine(rect, countsUpTo(training.size()), training, trainingPen(look()));
-        addLine(rect, countsUpTo(heldOut.size()), heldOut, rolePen(Role::Compensated, look()));
-        addDots(rect, countsUpTo(heldOut.size()), heldOut, look().compensated, 4.0);
-        auto *notes = new PanelNotes(&rect, look());
-        notes->setName(QString::fromUtf8(kAxisNames[a].data()));
-        notes->setNote(tr("%1 chosen").arg(selection.chosen[a]));
-    }
 }
 
 namespace {
@@ -147,26 +86,39 @@ static StraightLine lineThrough(const ModelCurve &curve, int axis)
     return line;
 }
 
+// One span for all axes, so that their curves can be weighed against each other.
+QCPRange CentresView::curveRange() const
+{
+    Extent extent;
+    for (int axis = 0; axis < kAxisCount; ++axis) {
+        const StraightLine line = lineThrough(m_data.curve, axis);
+        for (Eigen::Index i = 0; i < m_data.curve.deltaT.size(); ++i)
+            extent.include(m_data.curve.tdeDps(i, axis) - line.at(m_data.curve.deltaT[i]));
+        const CellMeans means = cellMeans(m_data.runs, axis);
+        for (std::size_t i = 0; i < means.deltaT.size(); ++i)
+            extent.include(means.tdeDps[i] - line.at(means.deltaT[i]));
+    }
+    return extent.padded();
+}
+
 void CentresView::drawCurve(QCPAxisRect &rect, int axis)
 {
     const StraightLine line = lineThrough(m_data.curve, axis);
     const double reference = m_data.referenceTemperatureC;
-    Extent extent, temperature;
+    Extent temperature;
     QVector<double> curveT, curveTde, meansT, meansTde, centresT, centresTde;
     for (Eigen::Index i = 0; i < m_data.curve.deltaT.size(); ++i) {
         curveT.append(m_data.curve.deltaT[i] + reference);
         curveTde.append(m_data.curve.tdeDps(i, axis) - line.at(m_data.curve.deltaT[i]));
-        extent.include(curveTde.last());
         temperature.include(curveT.last());
     }
     const CellMeans means = cellMeans(m_data.runs, axis);
     for (std::size_t i = 0; i < means.deltaT.size(); ++i) {
         meansT.append(means.deltaT[i] + reference);
         meansTde.append(means.tdeDps[i] - line.at(means.deltaT[i]));
-        extent.include(meansTde.last());
         temperature.include(meansT.last());
     }
-    const QCPRange shown = extent.padded();
+    const QCPRange shown = curveRange();
     const double top = shown.upper;
     const double below = shown.size() * kWidthsShare;
     const auto used =
@@ -202,13 +154,15 @@ void CentresView::buildCurves()
                {Kind::Dot, tr("Means of 1 °C"), QPen(Qt::NoPen), look().raw},
                {Kind::Diamond, tr("Centre"), QPen(look().text, 1.0), {}},
                {Kind::Line, tr("Width, ±1 σ"), QPen(look().axisLine, 1.0), {}}});
-    QCPLayoutGrid &grid = addPanels();
+    QCPLayoutGrid &grid = addPanels(true);
     for (int axis = 0; axis < kAxisCount; ++axis) {
         const auto a = static_cast<std::size_t>(axis);
         QCPAxisRect &rect = addPanel(grid, 0, axis);
         drawCurve(rect, axis);
         rect.axis(QCPAxis::atBottom)->setLabel(tr("T (°C)"));
-        rect.axis(QCPAxis::atLeft)->setLabel(axis == 0 ? tr("TDE less line (dps)") : QString());
+        rect.axis(QCPAxis::atLeft)->setLabel(tr("TDE less line (dps)"));
+        if (axis > 0)
+            hideAxisText(*rect.axis(QCPAxis::atLeft));
         (new PanelNotes(&rect, look()))->setName(QString::fromUtf8(kAxisNames[a].data()));
     }
 }
@@ -219,9 +173,14 @@ void CentresView::build()
         showEmpty(tr("No RBF network yet"), tr("Train one to see how many centres it needs."));
         return;
     }
-    if (m_data.selection)
+    if (m_part == Part::Losses && !m_data.selection) {
+        showEmpty(tr("No choice was made"), tr("The number of centres was given, so none was tried."));
+        return;
+    }
+    if (m_data.selection && m_part != Part::Curves)
         buildLosses();
-    buildCurves();
+    if (m_part != Part::Losses)
+        buildCurves();
 }
 
 } // namespace driftbench
