@@ -155,7 +155,7 @@ void TestReportDocument::pdf_hasPagesTextAndVectors()
     QVERIFY(process.waitForFinished());
     const QString text = QString::fromUtf8(process.readAllStandardOutput());
     for (const char *wanted :
-         {"L3GD20H T-1", "Simulated data", "MSD6", "Averaging time", "Noise floor", "Page 2"})
+         {"L3GD20H T-1", "Simulated data", "MSD6", "Averaging time", "Parameters", "Page 2"})
         QVERIFY2(text.contains(QString::fromUtf8(wanted)), wanted);
 }
 
