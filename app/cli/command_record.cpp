@@ -1,8 +1,10 @@
 #include "app/cli/cli_io.h"
 #include "app/cli/command.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/model_input.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/record_text.h"
+#include "app/cli/session_recording.h"
 #include "app/cli/source_options.h"
 #include "engine/base/text.h"
 #include "engine/physics/plan_file.h"
@@ -25,6 +27,8 @@ struct RecordArguments
     std::optional<double> durationS;
     std::optional<std::string> plan;
     bool overwrite = false;
+    std::string runName; // in a session
+    bool goOn = false;
     bool json = false;
 };
 
@@ -99,6 +103,46 @@ Status show(const RecordingOutcome &outcome, const CsvRecorder &recorder, bool j
                 : printResult(recordingAsText(outcome, recorder));
 }
 
+Status noSamples(const SourceInfo &info)
+{
+    return Error{Errc::TooFewSamples,
+                 "No sample came from " + info.name + "; check that it measures, and record again."};
+}
+
+// A run of a session. Its recorder brings it to the disk by itself.
+Status recordIntoSession(const RecordArguments &arguments, const std::optional<TestPlan> &plan,
+                         const RecordingGoal &goal, const SourceChoice &choice)
+{
+    if (arguments.overwrite || !arguments.events.empty())
+        return Error{Errc::InvalidOption,
+                     "--overwrite and --events are for logs; a session keeps every run, and its "
+                     "gaps and events beside the samples."};
+    const auto opened = openSource(choice);
+    if (!opened)
+        return opened.error();
+    const SourceInfo info = opened->source->info();
+    auto recording = SessionRecording::begin(
+        info, {arguments.out, arguments.runName, arguments.goOn, !opened->isRealTime, choice, plan});
+    if (!recording)
+        return recording.error();
+    const RecordingOutcome outcome = [&] {
+        ProgressLine progress;
+        return record(*opened->source, **recording, {goal.durationS, opened->isRealTime},
+                      [&](const RecordingState &state) {
+                          progress.show(recordingLine(state, goal));
+                          return interrupted() ? Flow::Stop : Flow::Continue;
+                      });
+    }();
+    const Status finished = (*recording)->finish(outcome);
+    const Status shown = arguments.json ? printJson((*recording)->asJson(outcome))
+                                        : printResult((*recording)->asText(outcome));
+    for (const Status &each : {outcome.status, finished, shown}) {
+        if (!each)
+            return each;
+    }
+    return outcome.state.samples > 0 ? Status() : noSamples(info);
+}
+
 Status recordIt(const RecordArguments &arguments)
 {
     const auto plan = planOf(arguments);
@@ -110,6 +154,12 @@ Status recordIt(const RecordArguments &arguments)
     const auto choice = sourceChoiceOf(arguments.source, *plan);
     if (!choice)
         return choice.error();
+    if (isSessionPath(arguments.out))
+        return recordIntoSession(arguments, *plan, *goal, *choice);
+    if (arguments.goOn || !arguments.runName.empty())
+        return Error{Errc::InvalidOption,
+                     "--continue and --name are for sessions; end the name of --out in " +
+                         std::string(kSessionEnding) + ", or leave them out."};
     const auto opened = openSource(*choice);
     if (!opened)
         return opened.error();
@@ -128,10 +178,7 @@ Status recordIt(const RecordArguments &arguments)
         if (!each)
             return each;
     }
-    return outcome.state.samples > 0
-               ? Status()
-               : Error{Errc::TooFewSamples, "No sample came from " + opened->source->info().name +
-                                                "; check that it measures, and record again."};
+    return outcome.state.samples > 0 ? Status() : noSamples(opened->source->info());
 }
 
 } // namespace
@@ -144,7 +191,11 @@ void addRecordCommand(CLI::App &program, Invocation &invocation)
         "Records from a device, or from the simulated one, into a CSV log that every other command "
         "reads. What was recorded is kept whatever ends it; Ctrl-C ends it well.",
         "driftbench-cli record --source hid --plan plan.json --out run1.csv");
-    command->add_option("--out", arguments->out, "The log; .meta.json and .events.csv are put beside it")
+    command
+        ->add_option(
+            "--out", arguments->out,
+            "The log, .meta.json and .events.csv are put beside it; or a session (.driftbench), which gets "
+            "another run")
         ->required()
         ->type_name("FILE");
     command
@@ -157,6 +208,10 @@ void addRecordCommand(CLI::App &program, Invocation &invocation)
         ->type_name("FILE");
     command->add_option("--events", arguments->events, "Gaps and events (default: FILE.events.csv)")
         ->type_name("FILE");
+    command->add_option("--name", arguments->runName, "Name of the run in the session (default: run N)")
+        ->type_name("NAME");
+    command->add_flag("--continue", arguments->goOn,
+                      "Go on with the session's interrupted run, behind a gap");
     command->add_flag("--overwrite", arguments->overwrite, "Replace a log of that name");
     addJsonOption(*command, arguments->json);
     addSourceOptions(*command, arguments->source);

@@ -5,10 +5,11 @@
 //   run1.csv.meta.json    sensor, origin (sidecar.h) and, under "recording", how it was made; at the end also
 //                         what it has come to, and "complete": true
 //
-// What was handed over is with the system at once; sync() brings it to the disk. A gap is a gap in the samples
-// too: nothing is ever filled in.
+// What was handed over is with the system at once; sync() brings it to the disk. A gap is a gap in the
+// samples too: nothing is ever filled in.
 //
-// Errors: OutputNotWritable, OutputFull. After the first one nothing more is written, and samples() says Stop.
+// Errors: OutputNotWritable, OutputFull. After the first one nothing more is written, and samples() says
+// Stop.
 #pragma once
 
 #include "app/recording/record.h"

@@ -1,6 +1,6 @@
 // A file that grows while something is recorded: what was appended is with the system at once and survives
-// the end of the program, what was synchronised survives that of the power. Unlike AtomicFile it is there from
-// the start, and what it holds is kept whatever happens.
+// the end of the program, what was synchronised survives that of the power. Unlike AtomicFile it is there
+// from the start, and what it holds is kept whatever happens.
 //
 // Errors: OutputNotWritable (also where the file exists and is not to be replaced), OutputFull.
 #pragma once

@@ -12,9 +12,9 @@ Error outputError(const std::filesystem::path &target, int errorNumber)
                 target.string() +
                     " was not written: no room is left on its disk. Make room or choose another folder."};
     }
-    return {Errc::OutputNotWritable, target.string() + " can't be written: " +
-                                         std::generic_category().message(errorNumber) +
-                                         ". Choose a folder that you may write to."};
+    return {Errc::OutputNotWritable,
+            target.string() + " can't be written: " + std::generic_category().message(errorNumber) +
+                ". Choose a folder that you may write to."};
 }
 
 } // namespace driftbench

@@ -39,7 +39,7 @@ std::string hex(std::uint32_t value, int digits)
 UMockdevTestbed *testbed()
 {
     static const std::unique_ptr<UMockdevTestbed, decltype(&g_object_unref)> bed(umockdev_testbed_new(),
-                                                                                &g_object_unref);
+                                                                                 &g_object_unref);
     return bed.get();
 }
 
