@@ -129,6 +129,10 @@ Status compare(BridgeClient &client, std::span<const std::uint8_t> image, std::u
 Result<TableUploadReport> finish(BridgeClient &client, TableUploadReport upload)
 {
     const auto after = client.status();
+    if (!after && upload.rolledBack)
+        return Error{after.error().code, after.error().message +
+                                             " The new table had not passed the comparison and was rolled "
+                                             "back before."};
     if (!after)
         return after.error();
     upload.after = *after;
@@ -159,6 +163,15 @@ Error notCompared(const Error &why)
                           "device's status, and roll the table back if in doubt."};
 }
 
+// The comparison did not pass, and whether the device has gone back is not known.
+Error rollbackCut(const Error &why)
+{
+    return {why.code, why.message +
+                          " The new table did not pass the comparison, and the link broke while it was being "
+                          "rolled back: it may still be in use; read the device's status, and roll it back "
+                          "if it is."};
+}
+
 // The table is in use by now: it stays only if it does what the host would do.
 Result<TableUploadReport> proveAtWork(BridgeClient &client, std::span<const std::uint8_t> image,
                                       TableUploadReport upload, const CompensationCheckOptions &options,
@@ -177,7 +190,7 @@ Result<TableUploadReport> proveAtWork(BridgeClient &client, std::span<const std:
     if (!check && check.error().code == Errc::DeviceUnplugged)
         return notCompared(check.error());
     if (const Status undone = client.rollBackTable(upload.generation); !undone)
-        return notCompared(undone.error());
+        return rollbackCut(undone.error());
     if (!check)
         return check.error().code == Errc::Cancelled
                    ? cancelled()

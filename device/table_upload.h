@@ -5,8 +5,9 @@
 //
 // The table in use stays in use until the moment of activation; whatever is cut off before it leaves the
 // device with the old one. A table whose compensation differs, or of which too little could be compared, is
-// rolled back at once: the report says so. Only a link that breaks between activation and comparison leaves a
-// table in use that was not compared, and the error says so. A device that can't pair is not compared, and
+// rolled back at once: the report says so. Only a link that breaks between activation and the end of the
+// comparison, or of the rollback that follows a failed one, may leave such a table in use, and the error says
+// which of them it was. A device that can't pair is not compared, and
 // the report says that as well.
 //
 // Errors, beside those of the transport: WrongSensor where image and device name different sensors,

@@ -22,6 +22,7 @@ private slots:
     void uploadTable_noImage_isRefused();
     void uploadTable_cancelledAnywhere_leavesTheOldInUse();
     void uploadTable_unpluggedAtEveryExchange_oldOrNewWhole();
+    void uploadTable_unpluggedAtEveryExchangeOfTheRollback_oldOrNewWhole();
     void uploadTable_powerCutAtEveryFlashOperation_oldOrNewWhole_data();
     void uploadTable_powerCutAtEveryFlashOperation_oldOrNewWhole();
     void uploadTable_otherBytesInTheBank_areFoundBeforeCommit();
@@ -101,6 +102,43 @@ public:
 
 private:
     std::unique_ptr<HidTransport> m_below;
+};
+
+// A link that is cut so many exchanges after the host begins to roll a table back; 0 cuts that command
+// itself.
+class CutAfterRollback final : public HidTransport
+{
+public:
+    CutAfterRollback(std::unique_ptr<HidTransport> below, std::shared_ptr<SimulatedBoard> board,
+                     int exchanges)
+        : m_below(std::move(below)), m_board(std::move(board)), m_exchanges(exchanges)
+    {
+    }
+
+    const HidIdentity &identity() const override { return m_below->identity(); }
+    Result<std::size_t> read(std::span<std::uint8_t> report, std::chrono::milliseconds timeout) override
+    {
+        return m_below->read(report, timeout);
+    }
+    Status write(std::span<const std::uint8_t> report) override { return m_below->write(report); }
+    Result<std::size_t> getFeature(std::span<std::uint8_t> report) override
+    {
+        return m_below->getFeature(report);
+    }
+    Status sendFeature(std::span<const std::uint8_t> report) override
+    {
+        if (report[0] == BRIDGE_REPORT_ROLLBACK && !m_begun) {
+            m_begun = true;
+            m_board->inject([this](SimulatedFaults &faults) { faults.unplugAtExchange(m_exchanges); });
+        }
+        return m_below->sendFeature(report);
+    }
+
+private:
+    std::unique_ptr<HidTransport> m_below;
+    std::shared_ptr<SimulatedBoard> m_board;
+    int m_exchanges;
+    bool m_begun = false;
 };
 
 } // namespace
@@ -220,6 +258,43 @@ void TestDeviceUpload::uploadTable_unpluggedAtEveryExchange_oldOrNewWhole()
     }
     qInfo("%d exchanges, each cut once; after %d of the cuts the new table was in use", cuts, withNew);
     QVERIFY(cuts > 20 && withNew > 0 && withNew < cuts);
+}
+
+// A device that compensates wrongly: the first cut lies where the comparison has just found that.
+void TestDeviceUpload::uploadTable_unpluggedAtEveryExchangeOfTheRollback_oldOrNewWhole()
+{
+    int cuts = 0;
+    int withNew = 0;
+    for (;; ++cuts) {
+        Bench bench = Bench::prepared();
+        auto link =
+            std::make_unique<CutAfterRollback>(*SimulatedBridge::open(bench.board), bench.board, cuts);
+        BridgeClient client = *BridgeClient::open(std::move(link), bench.board->clock());
+        bench.board->inject([](SimulatedFaults &faults) { faults.compensateWrongly(3); });
+        const auto upload = uploadTable(client, bench.newImage, quick());
+        if (upload) {
+            QVERIFY(upload->rolledBack && !upload->activated);
+            QCOMPARE(bench.inUse(), bench.oldImage);
+            break;
+        }
+        QCOMPARE(upload.error().code, Errc::DeviceUnplugged);
+        bench.board->plugIn();
+        QVERIFY2(bench.oldOrNewWhole(), qPrintable(QString("cut at exchange %1").arg(cuts)));
+        const bool isNew = bench.inUse() == bench.newImage;
+        withNew += isNew;
+        // No sentence says that the table stays, or is gone, where it is not so.
+        const QString sentence = QString::fromStdString(upload.error().message);
+        QVERIFY2(sentence.contains("did not pass the comparison") ||
+                     (!isNew && sentence.contains("had not passed the comparison and was rolled back")),
+                 qPrintable(sentence));
+        BridgeClient again = connectTo(bench.board);
+        if (isNew)
+            QVERIFY(rollBackTable(again).ok());
+        QCOMPARE(bench.inUse(), bench.oldImage);
+    }
+    qInfo("%d exchanges of the rollback, each cut once; after %d of the cuts the new table was in use", cuts,
+          withNew);
+    QVERIFY(cuts >= 3 && withNew > 0 && withNew < cuts);
 }
 
 void TestDeviceUpload::uploadTable_powerCutAtEveryFlashOperation_oldOrNewWhole_data()
