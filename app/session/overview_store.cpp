@@ -147,12 +147,14 @@ Status insertAllOverviews(const Database &database)
 Result<std::optional<std::string>> storedOverview(const Database &database, RunId run,
                                                   std::int64_t firstSample)
 {
-    Statement row = database.prepare("SELECT figures FROM overview WHERE chunk_id ="
+    Statement row = database.prepare("SELECT NULL, samples, crc32, figures FROM overview WHERE chunk_id ="
                                      " (SELECT id FROM chunk WHERE run_id = ?1 AND first_sample = ?2)");
     const auto there = row.with(run, firstSample).step();
     if (!there)
         return there.error();
-    return *there ? std::optional(std::string(row.bytes(0))) : std::nullopt;
+    if (!*there)
+        return std::optional<std::string>();
+    return std::optional(overviewIn(row) ? std::string(row.bytes(3)) : std::string());
 }
 
 Result<RunOverview> overviewOfRun(const Database &database, const RunRecord &run, bool stored)

@@ -27,7 +27,7 @@ Status insertOverview(const Database &database, std::int64_t chunk, std::int64_t
 // without.
 Status insertAllOverviews(const Database &database);
 
-// The stored bytes, whatever they are; nothing: the chunk has no overview.
+// The stored bytes, empty if they are damaged; nothing: the chunk has no overview.
 Result<std::optional<std::string>> storedOverview(const Database &database, RunId run,
                                                   std::int64_t firstSample);
 
