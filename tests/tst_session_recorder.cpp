@@ -3,6 +3,7 @@
 #include "app/session/session_file.h"
 #include "app/session/session_lock.h"
 #include "device/bridge/bridge_source.h"
+#include "support/cli_process.h"
 #include "support/session_data.h"
 #include "support/simulated_device.h"
 
@@ -267,12 +268,12 @@ void TestSessionRecorder::lock_askedForAllTheTime_canBeTaken()
     const auto path = newSessionPath();
     QVERIFY(SessionFile::create(path).ok());
     std::atomic<int> held = 0;
-    std::atomic<int> free = 0;
+    std::atomic<int> notHeld = 0;
     const std::jthread asking([&](const std::stop_token &stop) {
         while (!stop.stop_requested())
-            ++(SessionLock::isHeld(path) ? held : free);
+            ++(SessionLock::isHeld(path) ? held : notHeld);
     });
-    for (int i = 0; i < 50 || held == 0 || free == 0; ++i)
+    for (int i = 0; i < 50 || held == 0 || notHeld == 0; ++i)
         QVERIFY(SessionLock::acquire(path).ok());
 }
 
