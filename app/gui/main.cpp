@@ -4,6 +4,7 @@
 #include "app/gui/app_context.h"
 #include "app/gui/event_log.h"
 #include "app/gui/main_window.h"
+#include "widgets/controls/icon.h"
 #include "widgets/style/theme.h"
 
 #include <QApplication>
@@ -22,7 +23,8 @@ int main(int argc, char **argv)
     QApplication::setOrganizationName(QStringLiteral("driftbench"));
     QApplication::setApplicationDisplayName(QStringLiteral("Driftbench"));
     QApplication::setApplicationVersion(QStringLiteral(DRIFTBENCH_VERSION));
-    QApplication::setDesktopFileName(QStringLiteral("driftbench"));
+    QApplication::setDesktopFileName(QStringLiteral("org.driftbench.Workbench"));
+    QApplication::setWindowIcon(applicationIcon());
 
     Theme theme;
     EventLog events;
