@@ -22,6 +22,7 @@ private slots:
     void list_pluggedIn_isFoundWithItsNames();
     void list_unplugged_isNotFound();
     void open_unpluggedSinceItWasListed_isNotFound();
+    void open_whileOpen_isInUse();
     void client_infoConfigStatus_areTheBoards();
     void client_otherProtocolVersion_isRefused();
     void configure_everyRange_readsBack();
@@ -62,6 +63,11 @@ struct Bench
     Bytes tableInUse()
     {
         BridgeClient reader = client();
+        return tableInUse(reader);
+    }
+    // By the one who has it open: nobody else can.
+    static Bytes tableInUse(BridgeClient &reader)
+    {
         const auto image = readTable(reader);
         if (!image)
             qFatal("%s", image.error().message.c_str());
@@ -106,6 +112,19 @@ void TestDeviceUmockdev::open_unpluggedSinceItWasListed_isNotFound()
     const HidIdentity found = *listed(bench.board->identity().serial);
     bench.mock.unplug();
     QCOMPARE(openHidDevice(found).error().code, Errc::DeviceNotFound);
+}
+
+void TestDeviceUmockdev::open_whileOpen_isInUse()
+{
+    Bench bench;
+    {
+        const auto first = bench.open();
+        const auto second = openListed(bench.board->identity().serial);
+        QVERIFY(!second.ok());
+        QCOMPARE(second.error().code, Errc::DeviceInUse);
+        QVERIFY(second.error().message.find("Another program") != std::string::npos);
+    }
+    QVERIFY(openListed(bench.board->identity().serial).ok());
 }
 
 void TestDeviceUmockdev::client_infoConfigStatus_areTheBoards()
@@ -196,7 +215,7 @@ void TestDeviceUmockdev::upload_wholeTable_isInUseAndReadsBack()
     const auto upload = uploadTable(client, image);
     QVERIFY2(upload.ok(), upload ? "" : upload.error().message.c_str());
     QVERIFY(upload->activated);
-    QCOMPARE(bench.tableInUse(), image);
+    QCOMPARE(Bench::tableInUse(client), image);
 }
 
 void TestDeviceUmockdev::upload_otherSensor_isRefused()
@@ -249,9 +268,9 @@ void TestDeviceUmockdev::rollBack_afterTwoUploads_bringsTheFirstBack()
     BridgeClient client = bench.client();
     QVERIFY(uploadTable(client, first).ok());
     QVERIFY(uploadTable(client, second).ok());
-    QCOMPARE(bench.tableInUse(), second);
+    QCOMPARE(Bench::tableInUse(client), second);
     QVERIFY(rollBackTable(client).ok());
-    QCOMPARE(bench.tableInUse(), first);
+    QCOMPARE(Bench::tableInUse(client), first);
 }
 
 QTEST_APPLESS_MAIN(TestDeviceUmockdev)
