@@ -1,4 +1,5 @@
 #include "support/test_data.h"
+#include "widgets/controls/icon.h"
 #include "widgets/style/fonts.h"
 #include "widgets/style/number_text.h"
 #include "widgets/style/palette.h"
@@ -29,6 +30,8 @@ private slots:
     void roleColor_asInTheStyle();
     void rolePen_models_differByDash();
     void fonts_neverSmallerThanNinePoints();
+    void applicationIcon_anySize_isDrawnInItsColours_data();
+    void applicationIcon_anySize_isDrawnInItsColours();
 };
 
 static constexpr double kLeastForLines = 3.35; // 3.4:1, rounded; the tightest is cooling on white, 3.38
@@ -183,6 +186,26 @@ void TestWidgetsStyle::fonts_neverSmallerThanNinePoints()
     for (const QFont &font :
          {bodyFont(), sectionFont(), noteFont(), strongNoteFont(), resultFont(), pageTitleFont()})
         QVERIFY(font.pointSize() >= 9);
+}
+
+void TestWidgetsStyle::applicationIcon_anySize_isDrawnInItsColours_data()
+{
+    QTest::addColumn<int>("sizePx");
+    for (const int sizePx : {32, 64, 256})
+        QTest::addRow("%d px", sizePx) << sizePx;
+}
+
+void TestWidgetsStyle::applicationIcon_anySize_isDrawnInItsColours()
+{
+    QFETCH(int, sizePx);
+    const QImage image = applicationIcon().pixmap(QSize(sizePx, sizePx), 1.0).toImage();
+    QCOMPARE(image.size(), QSize(sizePx, sizePx));
+    const auto colorAt = [&](int x, int y) { // of the drawing's 128 x 128
+        return image.pixelColor(x * sizePx / 128, y * sizePx / 128);
+    };
+    QCOMPARE(colorAt(0, 0).alpha(), 0);
+    QCOMPARE(colorAt(64, 34).name(), QStringLiteral("#0b4f94")); // the tile
+    QCOMPARE(colorAt(21, 64).name(), QStringLiteral("#ffffff")); // the ring
 }
 
 QTEST_MAIN(TestWidgetsStyle)

@@ -7,6 +7,7 @@
 #include "app/gui/language.h"
 #include "app/gui/main_window.h"
 #include "app/gui/workbench.h"
+#include "widgets/controls/icon.h"
 #include "widgets/style/theme.h"
 
 #include <QApplication>
@@ -93,6 +94,7 @@ int main(int argc, char **argv)
     QApplication::setOrganizationName(QStringLiteral("driftbench"));
     QApplication::setApplicationDisplayName(QStringLiteral("Driftbench"));
     QApplication::setApplicationVersion(QStringLiteral(DRIFTBENCH_VERSION));
-    QApplication::setDesktopFileName(QStringLiteral("driftbench"));
+    QApplication::setDesktopFileName(QStringLiteral("org.driftbench.Workbench"));
+    QApplication::setWindowIcon(driftbench::applicationIcon());
     return driftbench::run(application, sinceStart);
 }

@@ -94,4 +94,10 @@ QIcon themedIcon(const QString &name)
     return QIcon(new ThemedIconEngine(name));
 }
 
+QIcon applicationIcon()
+{
+    initialiseIconResources();
+    return QIcon(QStringLiteral(":/driftbench/application.svg"));
+}
+
 } // namespace driftbench

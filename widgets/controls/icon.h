@@ -21,4 +21,7 @@ void paintIcon(QPainter &painter, const QRect &rect, const QString &name, const 
 // In the text colour of the application's palette at the time it is painted: follows light and dark.
 QIcon themedIcon(const QString &name);
 
+// Of the program itself, in its own colours.
+QIcon applicationIcon();
+
 } // namespace driftbench
