@@ -89,7 +89,7 @@ void LiveRun::begin(RunId run)
     m_samples = 0;
     m_elapsedS = 0.0;
     m_firstS.reset();
-    m_scores = {};
+    m_scores = RunningScores();
     m_holds = {};
     m_link = {};
     m_planEnded = false;
