@@ -38,8 +38,12 @@ static std::optional<double> secondsOf(const QString &text)
 
 DurationField::DurationField(const QString &accessibleName, double lowestS, double highestS, double stepS,
                              QWidget *parent)
-    : QAbstractSpinBox(parent), m_lowestS(lowestS), m_highestS(highestS), m_stepS(stepS), m_valueS(lowestS),
-      m_unit(new TextLabel(TextRole::Note, tr("h:min:s"), this))
+    : QAbstractSpinBox(parent)
+    , m_lowestS(lowestS)
+    , m_highestS(highestS)
+    , m_stepS(stepS)
+    , m_valueS(lowestS)
+    , m_unit(new TextLabel(TextRole::Note, tr("h:min:s"), this))
 {
     setAccessibleName(accessibleName);
     setButtonSymbols(NoButtons);
@@ -78,7 +82,7 @@ QValidator::State DurationField::validate(QString &text, int &) const
         return QValidator::Invalid;
     const auto seconds = secondsOf(text);
     return seconds && *seconds >= m_lowestS && *seconds <= m_highestS ? QValidator::Acceptable
-                                                                     : QValidator::Intermediate;
+                                                                      : QValidator::Intermediate;
 }
 
 void DurationField::fixup(QString &text) const

@@ -20,8 +20,12 @@ static QString withUnit(double value, int decimals, const QString &unit)
 }
 
 IntervalPanel::IntervalPanel(QWidget *parent)
-    : Panel(parent), m_terms(new ReadoutGrid), m_ratio(new ReadoutGrid), m_used(new TextLabel(TextRole::Result)),
-      m_verdict(new StateWord), m_remark(new TextLabel(TextRole::Note))
+    : Panel(parent)
+    , m_terms(new ReadoutGrid)
+    , m_ratio(new ReadoutGrid)
+    , m_used(new TextLabel(TextRole::Result))
+    , m_verdict(new StateWord)
+    , m_remark(new TextLabel(TextRole::Note))
 {
     for (int row = 0; row < 3; ++row)
         m_terms->nameLabel(m_terms->addRow({})).setTextFormat(Qt::RichText);
@@ -65,10 +69,11 @@ void IntervalPanel::setPlan(const TestPlan &plan)
     const bool fits = plan.stepC <= interval->longestC;
     m_verdict->setState(fits ? Tone::Good : Tone::Caution,
                         fits ? tr("used, not above %1").arg(longest) : tr("used, but above %1").arg(longest));
-    m_remark->setText(tr("The paper prints β with the span squared, which gives %1 mdps/°C. Half the span gives "
-                         "the value it uses, %2.")
-                          .arg(numberText(interval->printedSensitivityMdpsPerC, 0),
-                               numberText(interval->sensitivityMdpsPerC, 2)));
+    m_remark->setText(
+        tr("The paper prints β with the span squared, which gives %1 mdps/°C. Half the span gives "
+           "the value it uses, %2.")
+            .arg(numberText(interval->printedSensitivityMdpsPerC, 0),
+                 numberText(interval->sensitivityMdpsPerC, 2)));
 }
 
 PeriodPanel::PeriodPanel(QWidget *parent)

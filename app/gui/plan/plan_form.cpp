@@ -207,10 +207,10 @@ void PlanForm::fillFields()
     m_sensitivity->setValue(m_plan.sensor.sensitivityMdps);
     m_zeroRate->setValue(m_plan.sensor.zeroRateChangeMdpsPerC / 1000.0);
     const auto chamber = namedChamber(m_plan.chamber.model);
-    m_chamber->setCurrentIndex(presetIndex(*m_chamber, m_plan.chamber.model,
-                                           chamber && chamber->edgeM == m_plan.chamber.edgeM &&
-                                               chamber->thermometerAccuracyC ==
-                                                   m_plan.chamber.thermometerAccuracyC));
+    m_chamber->setCurrentIndex(
+        presetIndex(*m_chamber, m_plan.chamber.model,
+                    chamber && chamber->edgeM == m_plan.chamber.edgeM &&
+                        chamber->thermometerAccuracyC == m_plan.chamber.thermometerAccuracyC));
     m_edge->setValue(m_plan.chamber.edgeM);
     m_thermometer->setValue(m_plan.chamber.thermometerAccuracyC);
     m_lowest->setValue(m_plan.lowestC);

@@ -24,8 +24,8 @@ class PlanForm : public QWidget
 public:
     explicit PlanForm(QWidget *parent = nullptr);
 
-    TestPlan plan() const; // as the fields have it, whether it can be or not
-    void setPlan(const TestPlan &plan); // silent
+    TestPlan plan() const;                 // as the fields have it, whether it can be or not
+    void setPlan(const TestPlan &plan);    // silent
     void showError(const Status &checked); // at the field that it concerns
 
     void retranslate();
@@ -53,8 +53,9 @@ private:
     NumberField *m_lowest, *m_highest, *m_step, *m_period, *m_runs;
     DurationField *m_hold;
     QCheckBox *m_cycle;
-    int m_sensorRow = 0, m_rangeRow = 0, m_sensitivityRow = 0, m_zeroRateRow = 0, m_chamberRow = 0, m_edgeRow = 0,
-        m_thermometerRow = 0, m_spanRow = 0, m_stepRow = 0, m_periodRow = 0, m_holdRow = 0, m_runsRow = 0;
+    int m_sensorRow = 0, m_rangeRow = 0, m_sensitivityRow = 0, m_zeroRateRow = 0, m_chamberRow = 0,
+        m_edgeRow = 0, m_thermometerRow = 0, m_spanRow = 0, m_stepRow = 0, m_periodRow = 0, m_holdRow = 0,
+        m_runsRow = 0;
 };
 
 } // namespace driftbench

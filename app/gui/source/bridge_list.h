@@ -1,5 +1,5 @@
-// The bridges that can be a source, the simulated one first: each with what it is, what it says and whether it
-// can be used.
+// The bridges that can be a source, the simulated one first: each with what it is, what it says and whether
+// it can be used.
 #pragma once
 
 #include "device/discovery/device_list.h"
