@@ -22,7 +22,7 @@ int main(int argc, char **argv)
     QApplication::setOrganizationName(QStringLiteral("driftbench"));
     QApplication::setApplicationDisplayName(QStringLiteral("Driftbench"));
     QApplication::setApplicationVersion(QStringLiteral(DRIFTBENCH_VERSION));
-    QApplication::setDesktopFileName(QStringLiteral("driftbench"));
+    QApplication::setDesktopFileName(QStringLiteral("org.driftbench.Workbench"));
 
     Theme theme;
     EventLog events;
