@@ -157,8 +157,9 @@ Status recordIt(const RecordArguments &arguments)
     if (isSessionPath(arguments.out))
         return recordIntoSession(arguments, *plan, *goal, *choice);
     if (arguments.goOn || !arguments.runName.empty())
-        return Error{Errc::InvalidOption, "--continue and --run are for sessions; end the name of --out in " +
-                                              std::string(kSessionEnding) + ", or leave them out."};
+        return Error{Errc::InvalidOption,
+                     "--continue and --name are for sessions; end the name of --out in " +
+                         std::string(kSessionEnding) + ", or leave them out."};
     const auto opened = openSource(*choice);
     if (!opened)
         return opened.error();
@@ -207,7 +208,7 @@ void addRecordCommand(CLI::App &program, Invocation &invocation)
         ->type_name("FILE");
     command->add_option("--events", arguments->events, "Gaps and events (default: FILE.events.csv)")
         ->type_name("FILE");
-    command->add_option("--run", arguments->runName, "Name of the run in the session (default: run N)")
+    command->add_option("--name", arguments->runName, "Name of the run in the session (default: run N)")
         ->type_name("NAME");
     command->add_flag("--continue", arguments->goOn,
                       "Go on with the session's interrupted run, behind a gap");

@@ -122,8 +122,6 @@ std::string sessionAsText(const Session &session)
 {
     std::string text = session.path().string() + "\n";
     text += "Sensor: " + session.sensor().text() + (session.isSimulated() ? " (simulated)" : "") + "\n";
-    if (session.isReadOnly())
-        text += session.readOnlyReason().toStdString() + "\n";
     return text + runsText(session) + resultText(session) + writtenText(session) + logText(session);
 }
 
@@ -143,7 +141,6 @@ Json sessionAsJson(const Session &session)
     return {{"file", session.path().string()},
             {"sensor", {{"model", session.sensor().model}, {"serial", session.sensor().serial}}},
             {"simulated", session.isSimulated()},
-            {"read_only", session.isReadOnly()},
             {"runs", runs},
             {"models", models},
             {"exports", session.exports().size()},
