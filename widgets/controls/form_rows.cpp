@@ -62,8 +62,8 @@ void FormRows::setRowVisible(int row, bool visible)
     which.label->setVisible(visible);
     which.field->setVisible(visible);
     which.error->setVisible(visible && !which.error->text().isEmpty());
-    int at = 0;
-    m_grid->getItemPosition(m_grid->indexOf(which.field), &at, nullptr, nullptr, nullptr);
+    int at = 0, column = 0, rows = 0, columns = 0;
+    m_grid->getItemPosition(m_grid->indexOf(which.field), &at, &column, &rows, &columns);
     m_grid->setRowMinimumHeight(at, visible ? kPitch : 0);
 }
 

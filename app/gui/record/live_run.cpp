@@ -53,7 +53,7 @@ std::shared_ptr<const TrainedModel> LiveRun::modelOfSession() const
     return chosen ? std::make_shared<const TrainedModel>(*chosen) : nullptr;
 }
 
-// What the rate table does: the simulation knows, of a real one the last run's is the best guess.
+// What the rate table does: the simulation knows, of a real one the run before this is the best guess.
 Eigen::Vector3d LiveRun::referenceOfSource() const
 {
     const auto &choice = m_workbench.sourceChoice();
@@ -62,7 +62,25 @@ Eigen::Vector3d LiveRun::referenceOfSource() const
             return simulated->referenceRateDps;
     }
     const auto &runs = m_workbench.session().plan().runs;
-    return runs.empty() ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : runs.back().referenceRateDps;
+    for (auto run = runs.rbegin(); run != runs.rend(); ++run) {
+        if (run->run != m_run)
+            return run->referenceRateDps;
+    }
+    return Eigen::Vector3d::Zero();
+}
+
+// The run is in the plan already, with no rate.
+void LiveRun::noteReference()
+{
+    Session &session = m_workbench.session();
+    CalibrationPlan plan = session.plan();
+    RunInPlan *run = plan.find(*m_run);
+    if (!run || run->referenceRateDps == m_referenceDps)
+        return;
+    run->referenceRateDps = m_referenceDps;
+    const Status noted = session.editPlan(plan, tr("set the reference rate of the run that is recorded"));
+    if (!noted.ok())
+        m_view.addEvent(0.0, QString::fromStdString(noted.error().message));
 }
 
 void LiveRun::followSession()
@@ -94,9 +112,10 @@ void LiveRun::begin(RunId run)
     m_link = LinkFigures();
     m_planEnded = false;
     m_unpluggedAtS.reset();
+    m_run = run;
     followSession();
     m_recording = true;
-    m_run = run;
+    noteReference();
     m_view.setCompensated(m_model != nullptr);
     m_view.setReference(m_referenceDps);
     const auto &info = m_workbench.acquisition().info();

@@ -77,6 +77,7 @@ private:
     void countSaturated(const SampleBlock &block);
     std::shared_ptr<const TrainedModel> modelOfSession() const;
     Eigen::Vector3d referenceOfSource() const;
+    void noteReference();
 
     Workbench &m_workbench;
     LiveTraceView &m_view;
