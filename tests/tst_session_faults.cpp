@@ -26,6 +26,8 @@ private slots:
     void finish_operationFails_isToldAndDoneAgain();
     void crash_behindAFault_leavesAWholeFile_data() { faults(); }
     void crash_behindAFault_leavesAWholeFile();
+    void migration_operationFails_leavesAWholeFile_data();
+    void migration_operationFails_leavesAWholeFile();
     void recording_diskFullForAWhile_losesNothing();
     void recording_memoryBoundReached_stopsAndKeepsAll();
     void recording_smallDisk_losesNothing();
@@ -155,6 +157,56 @@ void TestSessionFaults::crash_behindAFault_leavesAWholeFile()
         if (!happened)
             break;
     }
+}
+
+void TestSessionFaults::migration_operationFails_leavesAWholeFile_data()
+{
+    QTest::addColumn<int>("fault");
+    QTest::addColumn<bool>("lasting"); // as behind a crash; else only the one fails
+    QTest::addColumn<Eigen::Index>("samples");
+    QTest::newRow("disk full") << static_cast<int>(Fault::DiskFull) << true << Eigen::Index{500};
+    QTest::newRow("torn write") << static_cast<int>(Fault::TornWrite) << true << Eigen::Index{500};
+    QTest::newRow("torn write, once") << static_cast<int>(Fault::TornWrite) << false << Eigen::Index{500};
+    QTest::newRow("sync error") << static_cast<int>(Fault::SyncError) << true << Eigen::Index{500};
+    QTest::newRow("any, once") << static_cast<int>(Fault::AnyError) << false << Eigen::Index{500};
+    QTest::newRow("any") << static_cast<int>(Fault::AnyError) << true << Eigen::Index{40000};
+}
+
+void TestSessionFaults::migration_operationFails_leavesAWholeFile()
+{
+    QFETCH(int, fault);
+    QFETCH(bool, lasting);
+    QFETCH(Eigen::Index, samples);
+    const Recording recording = measuredRecording(3, samples, kRateHz);
+    const auto original = newSessionPath();
+    QVERIFY(SessionFile::create(original)->importRun(recording, {}).ok());
+    makeVersion1(original);
+    const RunOverview overview = *SessionFile::open(original, SessionAccess::ReadOnly)->overview(1);
+    const auto path = newSessionPath();
+    const auto isWhole = [&](SessionAccess access) {
+        const auto file = SessionFile::open(path, access);
+        return file.ok() && file->check().ok() && file->check()->empty() &&
+               sameSamples(*file->readRun(1), recording) && sameOverview(*file->overview(1), overview) &&
+               (access == SessionAccess::ReadOnly || file->formatVersion() == kSessionFormatVersion);
+    };
+    int failures = 0;
+    int stillOld = 0;
+    for (std::int64_t at = 1;; ++at) {
+        std::filesystem::copy_file(original, path, std::filesystem::copy_options::overwrite_existing);
+        injectFault(static_cast<Fault>(fault), at, lasting);
+        const bool opened = SessionFile::open(path, SessionAccess::ReadWrite, {kFaultVfs, "test"}).ok();
+        const bool happened = faultHappened();
+        clearFaults();
+        failures += opened ? 0 : 1;
+        // The file as it was, or brought up to date; and in the end the latter.
+        stillOld += SessionFile::open(path, SessionAccess::ReadOnly)->formatVersion() == 1 ? 1 : 0;
+        QVERIFY2(isWhole(SessionAccess::ReadOnly), qPrintable(QString("operation %1").arg(at)));
+        QVERIFY2(isWhole(SessionAccess::ReadWrite), qPrintable(QString("operation %1").arg(at)));
+        if (!happened)
+            break;
+    }
+    qInfo("%d openings failed, %d files were still of version 1", failures, stillOld);
+    QVERIFY(failures > 0 && stillOld > 0 && stillOld <= failures);
 }
 
 void TestSessionFaults::recording_diskFullForAWhile_losesNothing()

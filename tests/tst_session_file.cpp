@@ -1,8 +1,6 @@
 // The session file: what goes in comes out, other files are refused, two programs do not write at once.
 #include "app/session/session_file.h"
 
-#include "app/session/database.h"
-#include "engine/physics/datasheets.h"
 #include "support/cli_process.h"
 #include "support/models_for_export.h"
 #include "support/session_data.h"
@@ -32,13 +30,7 @@ private slots:
     void importRun_hookStops_leavesNothing();
     void importRun_anotherSensor_isRefused();
     void readRange_anyRange_isThatPartOfTheRun();
-    void overview_run_boundsItsSamples();
     void runs_renamedAndRemoved_stayConsistent();
-    void marks_setTwice_areTheLast();
-    void mask_ofAnotherLength_isRefused();
-    void documents_setAndRemoved_areKeptByName();
-    void results_added_comeBack();
-    void log_notesAndEvents_comeBackInOrder();
     void everything_readOnly_cannotBeChanged();
     void another_usedByThreads_seesTheSameFile();
     void saveCopy_session_isTheSameAndWritable();
@@ -279,30 +271,6 @@ void TestSessionFile::readRange_anyRange_isThatPartOfTheRun()
     QCOMPARE(file.readRange(id, {-1, 10}).error().code, Errc::InvalidOption);
 }
 
-void TestSessionFile::overview_run_boundsItsSamples()
-{
-    auto file = newSession();
-    Recording recording = measuredRecording(11, 20000, 100.0);
-    recording.rateDps(300, 1) = std::numeric_limits<double>::quiet_NaN();
-    recording.rateDps.col(2).segment(512, 256).setConstant(std::numeric_limits<double>::infinity());
-    const auto id = *file.importRun(recording, {});
-    const auto overview = file.overview(id);
-    QVERIFY(overview.ok());
-    QCOMPARE(overview->size(), Eigen::Index{64 + 15}); // 16384 and 3616 samples
-    for (Eigen::Index row = 0; row < overview->size(); ++row) {
-        const Eigen::Index first = row * 256;
-        const Eigen::Index count = std::min<Eigen::Index>(256, recording.size() - first);
-        QCOMPARE(overview->startS[row], recording.timeS[first]);
-        QCOMPARE(overview->endS[row], recording.timeS[first + count - 1]);
-        const auto temperature = recording.temperatureC.segment(first, count);
-        QCOMPARE(overview->lowest(row, 0), static_cast<float>(temperature.minCoeff()));
-        QCOMPARE(overview->highest(row, 0), static_cast<float>(temperature.maxCoeff()));
-        QVERIFY(std::abs(overview->mean(row, 0) - temperature.mean()) < 1e-4);
-    }
-    QVERIFY(std::isfinite(overview->mean(1, 2)));
-    QVERIFY(std::isnan(overview->mean(2, 3)));
-}
-
 void TestSessionFile::runs_renamedAndRemoved_stayConsistent()
 {
     auto file = newSession();
@@ -328,116 +296,6 @@ void TestSessionFile::runs_renamedAndRemoved_stayConsistent()
     QVERIFY(file.check()->empty());
     const auto c = *file.importRun(measuredRecording(4, 10, 10.0), {});
     QVERIFY(c > b); // numbers are never used again
-}
-
-void TestSessionFile::marks_setTwice_areTheLast()
-{
-    auto file = newSession();
-    const auto id = *file.importRun(measuredRecording(1, 5000, 10.0), {});
-    QVERIFY(!file.mask(id)->has_value());
-    Random random(9);
-    for (int trial = 0; trial < 3; ++trial) {
-        Mask mask(5000);
-        for (int i = 0; i < 200; ++i)
-            mask.set(static_cast<Eigen::Index>(random.below(5000)),
-                     kMaskReasons[random.below(kMaskReasons.size())]);
-        QVERIFY(file.setMask(id, mask).ok());
-        const auto back = file.mask(id);
-        QVERIFY(back.ok() && back->has_value());
-        for (Eigen::Index sample = 0; sample < 5000; ++sample) {
-            for (const MaskReason reason : kMaskReasons)
-                QCOMPARE((**back).has(sample, reason), mask.has(sample, reason));
-        }
-    }
-    QVERIFY(file.setExclusions(id, {{{1.0, 2.0}, "a"}, {{5.0, 6.5}, "b"}}).ok());
-    QVERIFY(file.setExclusions(id, {{{7.25, 8.0}, "c"}}).ok());
-    QCOMPARE(file.exclusions(id)->size(), std::size_t{1});
-    QCOMPARE(file.exclusions(id)->front().range.startS, 7.25);
-    QCOMPARE(file.exclusions(id)->front().note, std::string("c"));
-}
-
-void TestSessionFile::mask_ofAnotherLength_isRefused()
-{
-    auto file = newSession();
-    const auto id = *file.importRun(measuredRecording(1, 50, 10.0), {});
-    QCOMPARE(file.setMask(id, Mask(49)).error().code, Errc::InvalidOption);
-    QCOMPARE(file.setMask(id + 1, Mask(50)).error().code, Errc::NoSuchRun);
-}
-
-void TestSessionFile::documents_setAndRemoved_areKeptByName()
-{
-    auto file = newSession();
-    QVERIFY(!file.document("view")->has_value());
-    QVERIFY(file.setDocument("view", "{\"a\": 1}").ok());
-    QVERIFY(file.setDocument("view", "").ok());
-    QCOMPARE(**file.document("view"), std::string());
-    QVERIFY(file.removeDocument("view").ok());
-    QVERIFY(!file.document("view")->has_value());
-    auto plan = makeTestPlan(*namedSensor("L3GD20H"), *namedChamber("SET-Z-021"));
-    QVERIFY(plan.ok());
-    plan->stepC = 1.25;
-    QVERIFY(file.setPlan(*plan).ok());
-    const auto back = file.plan();
-    QVERIFY(back.ok() && back->has_value());
-    QCOMPARE((**back).stepC, 1.25);
-    QCOMPARE((**back).samplesPerRun(), plan->samplesPerRun());
-    QVERIFY(file.setDocument("plan", "{").ok());
-    QCOMPARE(file.plan().error().code, Errc::PlanDamaged);
-    QCOMPARE(file.check()->size(), std::size_t{1});
-}
-
-void TestSessionFile::results_added_comeBack()
-{
-    auto file = newSession();
-    Random random(21);
-    const TrainedModel model = randomRbf(random);
-    const auto id = file.addModel(model);
-    QVERIFY(id.ok());
-    const auto back = file.model(*id);
-    QVERIFY(back.ok());
-    const Eigen::VectorXd temperatures =
-        Eigen::VectorXd::LinSpaced(50, model.lowestTemperatureC, model.highestTemperatureC);
-    QVERIFY(sameBits(predictAtTemperature(*back, temperatures).tdeDps,
-                     predictAtTemperature(model, temperatures).tdeDps));
-    QCOMPARE(file.model(*id + 1).error().code, Errc::NoSuchRun);
-
-    QVERIFY(file.addComparison("{\"rows\": []}", "{\"verdicts\": {}}").ok());
-    QCOMPARE(file.comparisons()->front().comparisonJson, std::string("{\"rows\": []}"));
-    QVERIFY(file.addExport({{}, *id, "csv", "table.csv", 1234, 0xFFFFFFFFU}).ok());
-    QCOMPARE(file.exports()->front().crc32, 0xFFFFFFFFU);
-    QVERIFY(
-        file.addUpload(
-                {{}, *id, {"L3GD20H", "SIM-0001"}, "bridge", "fixed", 1, 7, 2048, 42, true, false, "Done."})
-            .ok());
-    const auto uploads = file.uploads();
-    QCOMPARE(uploads->front().sensor.serial, std::string("SIM-0001"));
-    QCOMPARE(uploads->front().generation, 7U);
-    QVERIFY(uploads->front().verified && !uploads->front().activated);
-    // What was made with a model stays when the model goes.
-    QVERIFY(file.removeModel(*id).ok());
-    QVERIFY(!file.exports()->front().model && !file.uploads()->front().model);
-    QCOMPARE(file.exports()->front().path, std::string("table.csv"));
-    QVERIFY(file.check()->empty());
-}
-
-void TestSessionFile::log_notesAndEvents_comeBackInOrder()
-{
-    auto file = newSession();
-    const auto run = *file.importRun(measuredRecording(1, 50, 10.0), {});
-    QVERIFY(file.addEvent({std::nullopt, 0, "2026-01-02T03:04:05.678Z", "device", "Unplugged."}).ok());
-    QVERIFY(file.addEvent({run, 20, {}, "gap", "Three samples were lost."}).ok());
-    QCOMPARE(file.events()->size(), std::size_t{2});
-    QCOMPARE(file.events()->front().utc, std::string("2026-01-02T03:04:05.678Z"));
-    QCOMPARE(file.events(run)->size(), std::size_t{1});
-    QCOMPARE(file.events(run)->front().atSample, std::int64_t{20});
-    const auto note = file.addNote({0, {}, run, "Door was open."});
-    QVERIFY(note.ok());
-    QVERIFY(file.addNote({0, {}, std::nullopt, "Zweite Meßreihe."}).ok());
-    QCOMPARE(file.notes()->back().text, std::string("Zweite Meßreihe."));
-    QVERIFY(file.removeNote(*note).ok());
-    QCOMPARE(file.notes()->size(), std::size_t{1});
-    // A note about a run that is not there.
-    QVERIFY(!file.addNote({0, {}, RunId{99}, "x"}).ok());
 }
 
 void TestSessionFile::everything_readOnly_cannotBeChanged()

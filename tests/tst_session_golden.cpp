@@ -47,7 +47,14 @@ void TestSessionGolden::open_everyVersion_holdsWhatWasWritten()
         QCOMPARE(runs[0].description.referenceRateDps, Eigen::Vector3d(25.0, 5.0, 53.0));
         QCOMPARE(runs[0].description.startedUtc, std::string("2026-01-02T03:04:05.678Z"));
         QVERIFY(sameSamples(*file->readRun(runs[0].id), goldenRecording()));
-        QCOMPARE(file->overview(runs[0].id)->size(), Eigen::Index{3});
+        const auto overview = *file->overview(runs[0].id);
+        QCOMPARE(overview.size(), Eigen::Index{3});
+        const auto rows = goldenRecording().rateDps.middleRows(256, 256).eval();
+        for (int axis = 0; axis < 3; ++axis) {
+            QCOMPARE(overview.lowest(1, 1 + axis), static_cast<float>(rows.col(axis).minCoeff()));
+            QCOMPARE(overview.highest(1, 1 + axis), static_cast<float>(rows.col(axis).maxCoeff()));
+            QVERIFY(std::abs(overview.mean(1, 1 + axis) - rows.col(axis).mean()) < 1e-5);
+        }
         const auto mask = *file->mask(runs[0].id);
         QVERIFY(mask.has_value());
         QCOMPARE(mask->count(MaskReason::Motion), Eigen::Index{2});

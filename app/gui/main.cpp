@@ -93,6 +93,6 @@ int main(int argc, char **argv)
     QApplication::setOrganizationName(QStringLiteral("driftbench"));
     QApplication::setApplicationDisplayName(QStringLiteral("Driftbench"));
     QApplication::setApplicationVersion(QStringLiteral(DRIFTBENCH_VERSION));
-    QApplication::setDesktopFileName(QStringLiteral("driftbench"));
+    QApplication::setDesktopFileName(QStringLiteral("org.driftbench.Workbench"));
     return driftbench::run(application, sinceStart);
 }

@@ -30,19 +30,19 @@ Figures figuresOf(std::span<const double> values)
     return figures;
 }
 
-RunOverview withRows(Eigen::Index rows)
+} // namespace
+
+RunOverview overviewWithRows(Eigen::Index rows)
 {
     return {Eigen::VectorXd(rows), Eigen::VectorXd(rows), RunOverview::Table(rows, kOverviewColumns),
             RunOverview::Table(rows, kOverviewColumns), RunOverview::Table(rows, kOverviewColumns)};
 }
 
-} // namespace
-
 RunOverview overviewOf(const std::array<std::span<const double>, kSampleColumns> &columns)
 {
     const std::size_t size = columns[0].size();
     const auto rows = static_cast<Eigen::Index>((size + kOverviewSamples - 1) / kOverviewSamples);
-    RunOverview overview = withRows(rows);
+    RunOverview overview = overviewWithRows(rows);
     constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
     for (Eigen::Index row = 0; row < rows; ++row) {
         const std::size_t first = static_cast<std::size_t>(row) * kOverviewSamples;
@@ -84,7 +84,7 @@ RunOverview joinedOverviews(const std::vector<RunOverview> &parts)
     Eigen::Index rows = 0;
     for (const RunOverview &part : parts)
         rows += part.size();
-    RunOverview whole = withRows(rows);
+    RunOverview whole = overviewWithRows(rows);
     Eigen::Index row = 0;
     for (const RunOverview &part : parts) {
         whole.startS.segment(row, part.size()) = part.startS;

@@ -17,6 +17,7 @@ RunOverview overviewOf(const std::array<std::span<const double>, kSampleColumns>
 // Of a chunk that is read; the error is what is wrong with it, without a full stop.
 std::string overviewOf(const ChunkView &chunk, RunOverview &overview);
 
+RunOverview overviewWithRows(Eigen::Index rows); // not filled
 RunOverview joinedOverviews(const std::vector<RunOverview> &parts);
 
 } // namespace driftbench

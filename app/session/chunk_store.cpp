@@ -1,6 +1,8 @@
 #include "app/session/chunk_store.h"
 
+#include "app/session/chunk_overview.h"
 #include "app/session/column_codec.h"
+#include "app/session/overview_store.h"
 #include "engine/base/checksum.h"
 
 #include <algorithm>
@@ -9,19 +11,25 @@ namespace driftbench {
 
 Status ChunkWriter::insert(std::size_t first, std::size_t count)
 {
+    std::array<std::span<const double>, kSampleColumns> values;
     std::array<std::string, kSampleColumns> columns;
     std::uint32_t crc = 0;
     for (std::size_t i = 0; i < kSampleColumns; ++i) {
-        columns[i] = encodeColumn(m_tail.column(i, first, count));
+        values[i] = m_tail.column(i, first, count);
+        columns[i] = encodeColumn(values[i]);
         crc = crc32(columns[i], crc);
     }
-    const auto times = m_tail.column(0, first, count);
-    return m_database->run(
-        "INSERT INTO chunk(run_id, first_sample, samples, first_time_s, last_time_s, crc32,"
-        " time, temperature, rate_x, rate_y, rate_z) VALUES(?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11)",
-        m_run, m_firstOfTail + static_cast<std::int64_t>(first), static_cast<std::int64_t>(count),
-        times.front(), times.back(), crc, Bytes{columns[0]}, Bytes{columns[1]}, Bytes{columns[2]},
-        Bytes{columns[3]}, Bytes{columns[4]});
+    const auto samples = static_cast<std::int64_t>(count);
+    if (Status inserted = m_database->run(
+            "INSERT INTO chunk(run_id, first_sample, samples, first_time_s, last_time_s, crc32,"
+            " time, temperature, rate_x, rate_y, rate_z) VALUES(?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, "
+            "?11)",
+            m_run, m_firstOfTail + static_cast<std::int64_t>(first), samples, values[0].front(),
+            values[0].back(), crc, Bytes{columns[0]}, Bytes{columns[1]}, Bytes{columns[2]}, Bytes{columns[3]},
+            Bytes{columns[4]});
+        !inserted)
+        return inserted;
+    return insertOverview(*m_database, m_database->lastInsertId(), samples, overviewOf(values));
 }
 
 Status ChunkWriter::removePieces(std::size_t from)

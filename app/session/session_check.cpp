@@ -1,5 +1,6 @@
 #include "app/session/chunk_overview.h"
 #include "app/session/chunk_store.h"
+#include "app/session/overview_store.h"
 #include "app/session/session_file_state.h"
 
 #include <limits>
@@ -36,9 +37,24 @@ Status checkTables(const Database &database, std::vector<std::string> &findings)
     }
 }
 
-Status checkRun(const Database &database, const RunRecord &run, std::vector<std::string> &findings,
+// "" or what is wrong with the stored one, behind the chunk's name.
+Result<std::string> overviewFault(const Database &database, RunId run, const ChunkView &chunk,
+                                  const RunOverview &computed)
+{
+    const auto stored = storedOverview(database, run, chunk.firstSample);
+    if (!stored)
+        return stored.error();
+    if (!stored->has_value())
+        return std::string(" has no overview.");
+    return std::string(
+        **stored == packedOverview(computed) ? "" : " has an overview that does not fit its samples.");
+}
+
+Status checkRun(const SessionFile &file, const RunRecord &run, std::vector<std::string> &findings,
                 const std::function<Flow(std::int64_t)> &progress)
 {
+    const Database &database = file.database();
+    const bool overviews = file.formatVersion() >= kOverviewsSinceVersion;
     const std::string name = "Run \"" + run.description.name + "\": ";
     std::int64_t next = 0;
     bool cancelled = false;
@@ -54,6 +70,11 @@ Status checkRun(const Database &database, const RunRecord &run, std::vector<std:
         RunOverview overview;
         if (const std::string fault = overviewOf(chunk, overview); !fault.empty())
             findings.push_back(which + " is damaged: " + fault + ".");
+        else if (overviews) {
+            const auto wrong = overviewFault(database, run.id, chunk, overview);
+            if (!wrong || !wrong->empty())
+                findings.push_back(wrong ? which + *wrong : wrong.error().message);
+        }
         next = chunk.firstSample + static_cast<std::int64_t>(std::min(chunk.samples, kChunkSamples));
         cancelled = progress(next) == Flow::Stop;
         return cancelled ? Flow::Stop : Flow::Continue;
@@ -88,7 +109,7 @@ Result<std::vector<std::string>> SessionFile::check(const ProgressHook &hook) co
         samples += run.samples;
     std::int64_t before = 0;
     for (const RunRecord &run : *known) {
-        const Status checked = checkRun(database(), run, findings, [&](std::int64_t done) {
+        const Status checked = checkRun(*this, run, findings, [&](std::int64_t done) {
             return report(hook, "check",
                           static_cast<double>(before + done) /
                               static_cast<double>(std::max<std::int64_t>(samples, 1)));

@@ -7,7 +7,8 @@
 //
 // One program writes. Another that opens the same file gets it read-only, and readOnlyReason() says why; the
 // lock goes with its program, however that ends. A run that was being recorded when its program ended is
-// found as Interrupted, and RunRecorder::resume goes on with it.
+// found as Interrupted (also by who only reads, as long as nobody writes), and RunRecorder::resume goes on
+// with it.
 //
 // A file of an older version is brought up to date when it is opened for writing, and read as it is
 // otherwise; one of a newer version is refused without a byte being touched.
@@ -39,7 +40,7 @@ class Database;
 class SessionLock;
 
 inline constexpr std::string_view kSessionEnding = ".driftbench";
-inline constexpr int kSessionFormatVersion = 1;
+inline constexpr int kSessionFormatVersion = 2;
 
 enum class SessionAccess
 {
@@ -104,7 +105,7 @@ public:
     Result<Recording> readRun(RunId id, const ReadRunOptions &options = {},
                               const ProgressHook &hook = {}) const;
     Result<Recording> readRange(RunId id, const SampleRange &range, const ReadRunOptions &options = {}) const;
-    Result<RunOverview> overview(RunId id) const;
+    Result<RunOverview> overview(RunId id) const; // stored; from the samples in a file of version 1
 
     // About the samples (session_marks.cpp). Setting replaces what was there.
     Result<std::vector<RunGap>> gaps(RunId id) const;

@@ -2,15 +2,19 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <system_error>
+#include <thread>
 #include <unistd.h>
 
 namespace driftbench {
 
 namespace {
+
+constexpr int kMostTries = 1000;
 
 // Whether the locked file is still the one of that name: its last owner removes it.
 bool stillThere(int descriptor, const std::filesystem::path &file)
@@ -33,6 +37,19 @@ std::string ownerOf(int descriptor)
     return owner.empty() ? "another program" : "another program (process " + owner + ")";
 }
 
+std::filesystem::path lockFileOf(const std::filesystem::path &session)
+{
+    std::filesystem::path file = session;
+    file += "-lock";
+    return file;
+}
+
+// isHeld() of another program takes it shared for a moment.
+bool onlyAskedFor(int descriptor)
+{
+    return ::flock(descriptor, LOCK_SH | LOCK_NB) == 0;
+}
+
 Error cannotLock(const std::filesystem::path &session, int errorNumber)
 {
     return {Errc::OutputNotWritable, session.string() +
@@ -44,16 +61,20 @@ Error cannotLock(const std::filesystem::path &session, int errorNumber)
 
 Result<std::shared_ptr<SessionLock>> SessionLock::acquire(const std::filesystem::path &session)
 {
-    std::filesystem::path file = session;
-    file += "-lock";
-    for (;;) {
+    const std::filesystem::path file = lockFileOf(session);
+    for (int tries = 0;; ++tries) {
         const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
         if (descriptor < 0)
             return cannotLock(session, errno);
         if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
             const int errorNumber = errno;
             const std::string owner = ownerOf(descriptor);
+            const bool again = errorNumber == EWOULDBLOCK && tries < kMostTries && onlyAskedFor(descriptor);
             ::close(descriptor);
+            if (again) {
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+                continue;
+            }
             if (errorNumber != EWOULDBLOCK)
                 return cannotLock(session, errorNumber);
             return Error{Errc::SessionInUse, session.string() + " is opened read-only: " + owner +
@@ -69,6 +90,16 @@ Result<std::shared_ptr<SessionLock>> SessionLock::acquire(const std::filesystem:
             const ssize_t written = ::pwrite(descriptor, owner.data(), owner.size(), 0);
         return std::shared_ptr<SessionLock>(new SessionLock(file, descriptor));
     }
+}
+
+bool SessionLock::isHeld(const std::filesystem::path &session)
+{
+    const int descriptor = ::open(lockFileOf(session).c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0)
+        return errno != ENOENT;
+    const bool held = !onlyAskedFor(descriptor);
+    ::close(descriptor);
+    return held;
 }
 
 SessionLock::~SessionLock()

@@ -20,6 +20,9 @@ public:
     // SessionInUse with the other program's id, OutputNotWritable where no lock file can be made.
     static Result<std::shared_ptr<SessionLock>> acquire(const std::filesystem::path &session);
 
+    // Whether a program has it now. Also true where that can't be told.
+    static bool isHeld(const std::filesystem::path &session);
+
     SessionLock(const SessionLock &) = delete;
     SessionLock &operator=(const SessionLock &) = delete;
     ~SessionLock();

@@ -47,6 +47,43 @@ RunRecord recordOf(const Statement &row)
     return record;
 }
 
+// All, or that one if it is there.
+Result<std::vector<RunRecord>> readRecords(const Database &database, std::optional<RunId> id)
+{
+    Statement rows = database.prepare(std::string(kRunColumns) + (id ? " AND id = ?1" : " ORDER BY id"));
+    if (id)
+        rows.with(*id);
+    std::vector<RunRecord> records;
+    for (;;) {
+        const auto row = rows.step();
+        if (!row)
+            return row.error();
+        if (!*row)
+            return records;
+        records.push_back(recordOf(rows));
+    }
+}
+
+// A run that nobody goes on with is not being recorded, whatever its state says until the file is opened for
+// writing.
+Result<std::vector<RunRecord>> recordsAsTheyAre(const SessionFile &file, std::optional<RunId> id)
+{
+    const auto beingRecorded = [](const RunRecord &run) { return run.state == RunState::Recording; };
+    auto records = readRecords(file.database(), id);
+    if (!records || !file.readOnly() || std::none_of(records->begin(), records->end(), beingRecorded) ||
+        SessionLock::isHeld(file.path()))
+        return records;
+    // Again: its recorder may have ended it between the first look and that at the lock.
+    records = readRecords(file.database(), id);
+    if (!records)
+        return records;
+    for (RunRecord &run : *records) {
+        if (beingRecorded(run))
+            run.state = RunState::Interrupted;
+    }
+    return records;
+}
+
 Result<std::string> uniqueName(const Database &database, const std::string &wanted)
 {
     const std::string base = wanted.empty() ? "run" : wanted;
@@ -139,27 +176,17 @@ Result<RunId> insertRun(const Database &database, const RunDescription &what, st
 
 Result<std::vector<RunRecord>> SessionFile::runs() const
 {
-    Statement rows = database().prepare(std::string(kRunColumns) + " ORDER BY id");
-    std::vector<RunRecord> runs;
-    for (;;) {
-        const auto row = rows.step();
-        if (!row)
-            return row.error();
-        if (!*row)
-            return runs;
-        runs.push_back(recordOf(rows));
-    }
+    return recordsAsTheyAre(*this, {});
 }
 
 Result<RunRecord> SessionFile::run(RunId id) const
 {
-    Statement rows = database().prepare(std::string(kRunColumns) + " AND id = ?1");
-    const auto row = rows.with(id).step();
-    if (!row)
-        return row.error();
-    if (!*row)
+    auto records = recordsAsTheyAre(*this, id);
+    if (!records)
+        return records.error();
+    if (records->empty())
         return noSuchRun(database(), id);
-    return recordOf(rows);
+    return std::move(records->front());
 }
 
 Result<RunId> SessionFile::importRun(const Recording &recording, RunDescription description,

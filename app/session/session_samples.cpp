@@ -1,10 +1,9 @@
-#include "app/session/chunk_overview.h"
 #include "app/session/chunk_store.h"
+#include "app/session/overview_store.h"
 #include "app/session/session_file_state.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace driftbench {
 
@@ -208,18 +207,7 @@ Result<RunOverview> SessionFile::overview(RunId id) const
     const auto known = run(id);
     if (!known)
         return known.error();
-    std::vector<RunOverview> parts;
-    std::string fault;
-    const Status read = forEachChunk(database(), id, 0, known->samples, [&](const ChunkView &chunk) {
-        fault = overviewOf(chunk, parts.emplace_back());
-        return fault.empty() ? Flow::Continue : Flow::Stop;
-    });
-    if (!read)
-        return read.error();
-    if (!fault.empty())
-        return Error{Errc::SessionDamaged, database().path().string() + ", run \"" + known->description.name +
-                                               "\": a chunk can't be read: " + fault + "."};
-    return joinedOverviews(parts);
+    return overviewOfRun(database(), *known, formatVersion() >= kOverviewsSinceVersion);
 }
 
 } // namespace driftbench

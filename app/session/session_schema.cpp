@@ -1,5 +1,6 @@
 #include "app/session/session_schema.h"
 
+#include "app/session/overview_store.h"
 #include "app/session/session_file.h"
 
 #include <array>
@@ -148,13 +149,28 @@ CREATE TABLE event(
 CREATE INDEX event_run ON event(run_id);
 )sql";
 
+constexpr const char *kVersion2 = R"sql(
+CREATE TABLE overview(
+    chunk_id INTEGER PRIMARY KEY REFERENCES chunk(id) ON DELETE CASCADE,
+    samples INTEGER NOT NULL CHECK(samples BETWEEN 1 AND 16384),
+    crc32 INTEGER NOT NULL,
+    figures BLOB NOT NULL) STRICT;
+)sql";
+
 Status toVersion1(const Database &database)
 {
     return database.script(kVersion1);
 }
 
+Status toVersion2(const Database &database)
+{
+    if (Status made = database.script(kVersion2); !made)
+        return made;
+    return insertAllOverviews(database);
+}
+
 using Step = Status (*)(const Database &);
-constexpr std::array<Step, kSessionFormatVersion> kSteps{toVersion1};
+constexpr std::array<Step, kSessionFormatVersion> kSteps{toVersion1, toVersion2};
 
 } // namespace
 

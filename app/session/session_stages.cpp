@@ -1,5 +1,7 @@
 #include "app/session/session.h"
 
+#include "app/session/session_lock.h"
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -114,6 +116,13 @@ Status Session::readRuns()
     if (!sensor)
         return sensor.error();
     m_runs = *std::move(runs);
+    // Who only reads does not mark what a killed program left, but should not call it being recorded either.
+    const auto isRecording = [](const RunRecord &each) { return each.state == RunState::Recording; };
+    if (isReadOnly() && std::any_of(m_runs.begin(), m_runs.end(), isRecording) &&
+        SessionLock::acquire(path())) {
+        for (RunRecord &each : m_runs)
+            each.state = isRecording(each) ? RunState::Interrupted : each.state;
+    }
     m_sensor = *std::move(sensor);
     return {};
 }

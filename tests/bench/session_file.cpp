@@ -1,6 +1,7 @@
 // driftbench-session-bench FOLDER: what recording into a session file costs, and how fast one is opened and
 // read. The samples are those of a gyro at 10 kHz: counts at 8.75 mdps, hundredths of a degree, microseconds.
 #include "app/session/session_file.h"
+#include "app/session/database.h"
 #include "app/session/run_recorder.h"
 #include "engine/base/random.h"
 
@@ -8,10 +9,13 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <fcntl.h>
 #include <fstream>
 #include <string>
 #include <sys/resource.h>
 #include <thread>
+#include <unistd.h>
+#include <vector>
 
 using namespace driftbench;
 
@@ -150,13 +154,65 @@ void makeLarge(const std::filesystem::path &path, const Stream &stream)
     std::printf("import: %.1f M samples in %.1f s\n", static_cast<double>(kLarge) / 1e6, nowS() - started);
 }
 
+// The bytes of the file alone, 1 MiB at a time: the disk's speed where the system has been told to forget it.
+void readRaw(const std::filesystem::path &path, bool forget)
+{
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0)
+        fail("can't open " + path.string());
+    if (forget) {
+        ::fsync(descriptor);
+        ::posix_fadvise(descriptor, 0, 0, POSIX_FADV_DONTNEED);
+    }
+    std::vector<char> buffer(1 << 20);
+    const double started = nowS();
+    double megabytes = 0.0;
+    for (ssize_t got = 1; got > 0; megabytes += static_cast<double>(got) / 1e6)
+        got = ::read(descriptor, buffer.data(), buffer.size());
+    const double tookS = nowS() - started;
+    std::printf("raw: %.0f MB %s in %.2f s: %.0f MB/s\n", megabytes,
+                forget ? "from the disk" : "from the system's memory", tookS, megabytes / tookS);
+    if (forget)
+        ::posix_fadvise(descriptor, 0, 0, POSIX_FADV_DONTNEED);
+    ::close(descriptor);
+}
+
+void showOverview(const std::filesystem::path &path)
+{
+    const auto file = need(SessionFile::open(path, SessionAccess::ReadOnly));
+    const double started = nowS();
+    const RunOverview overview = need(file.overview(1));
+    std::printf("overview: %lld rows in %.3f s, from a file of version %d\n",
+                static_cast<long long>(overview.size()), nowS() - started, file.formatVersion());
+}
+
+// From stored overviews back to a file without, and forth.
+void migrateLarge(const std::filesystem::path &path)
+{
+    showOverview(path);
+    {
+        const auto database = need(Database::open(path, DatabaseMode::ReadWrite));
+        if (const Status old = database.script("DROP TABLE overview; PRAGMA user_version = 1;"); !old)
+            fail(old.error().message);
+    }
+    showOverview(path);
+    const double started = nowS();
+    const double processorBefore = processorS();
+    need(SessionFile::open(path, SessionAccess::ReadWrite));
+    std::printf("migrate: %.2f s, %.2f s of a core\n", nowS() - started, processorS() - processorBefore);
+    showOverview(path);
+}
+
 void readLarge(const std::filesystem::path &path)
 {
+    readRaw(path, true);
     double started = nowS();
     const auto file = need(SessionFile::open(path, SessionAccess::ReadWrite));
     const auto runs = need(file.runs());
     std::printf("open: %lld samples in %.4f s\n", static_cast<long long>(runs[0].samples), nowS() - started);
-    for (int time = 0; time < 2; ++time) {
+    for (int time = 0; time < 3; ++time) {
+        if (time > 0)
+            readRaw(path, false);
         started = nowS();
         const double processorBefore = processorS();
         const Recording back = need(file.readRun(runs[0].id));
@@ -189,6 +245,7 @@ int main(int argc, char **argv)
     makeLarge(large, stream);
     size("large", large, kLarge);
     readLarge(large);
+    migrateLarge(large);
     std::filesystem::remove(recorded);
     std::filesystem::remove(large);
 }

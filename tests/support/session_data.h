@@ -1,6 +1,7 @@
 // Recordings for tests of session files, and how to compare them: bit for bit.
 #pragma once
 
+#include "app/session/database.h"
 #include "app/session/session_file.h"
 #include "engine/base/random.h"
 #include "support/test_data.h"
@@ -17,6 +18,16 @@ inline std::filesystem::path newSessionPath()
 {
     static int number = 0;
     return scratchFolder() / ("session" + std::to_string(++number) + ".driftbench");
+}
+
+// As a program of before stored overviews wrote it.
+inline void makeVersion1(const std::filesystem::path &path)
+{
+    const auto database = Database::open(path, DatabaseMode::ReadWrite);
+    const Status made = database ? database->script("DROP TABLE overview; VACUUM; PRAGMA user_version = 1;")
+                                 : Status(database.error());
+    if (!made)
+        qFatal("%s", made.error().message.c_str());
 }
 
 enum class ColumnKind
@@ -110,6 +121,12 @@ inline bool sameSamples(const Recording &a, const Recording &b)
 {
     return sameBits(a.timeS, b.timeS) && sameBits(a.temperatureC, b.temperatureC) &&
            sameBits(a.rateDps, b.rateDps);
+}
+
+inline bool sameOverview(const RunOverview &a, const RunOverview &b)
+{
+    return sameBits(a.startS, b.startS) && sameBits(a.endS, b.endS) && sameBits(a.lowest, b.lowest) &&
+           sameBits(a.highest, b.highest) && sameBits(a.mean, b.mean);
 }
 
 inline Recording rowsOf(const Recording &recording, Eigen::Index first, Eigen::Index count)
