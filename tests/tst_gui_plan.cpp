@@ -12,6 +12,7 @@
 
 #include <QFile>
 #include <QTest>
+#include <QUndoStack>
 
 using namespace driftbench;
 using namespace driftbench::test;

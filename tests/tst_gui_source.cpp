@@ -163,7 +163,7 @@ void TestGuiSource::logs_damaged_areSaidAndTheOthersRead()
     const auto bad = window.folder() / "bad.csv";
     QFile file(QString::fromStdString(bad.string()));
     QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write("time_s,temperature_C,gyro_x_dps,gyro_y_dps,gyro_z_dps\n0,20,0,0,0\n1,20,n/a,0,0\n");
+    file.write("time_s,temperature_C,gyro_x_dps,gyro_y_dps,gyro_z_dps\n0,20,0,0,0\n1,20,twelve,0,0\n");
     file.close();
     window.main().openFiles({bad, good});
     QTRY_COMPARE_WITH_TIMEOUT(window.bench->session().runs().size(), std::size_t{1}, 20000);

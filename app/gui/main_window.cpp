@@ -63,7 +63,40 @@ MainWindow::MainWindow(AppContext &context, Language &language, QWidget *parent)
     showStatus();
 }
 
-MainWindow::~MainWindow() = default;
+// What pages and session say while they go has nobody to hear it any more.
+MainWindow::~MainWindow()
+{
+    for (Page *page : m_pages) {
+        page->disconnect(this);
+        if (QUndoStack *undo = page->undoStack())
+            undo->disconnect(this);
+    }
+    m_bench.disconnect(this);
+    m_sourceStatus->disconnect(this);
+    m_tour->disconnect();
+}
+
+namespace {
+
+// Holds the pages at what size there is: a layout would ask each of them for its height at that width, and
+// the scroll area would follow the tallest.
+class PageFrame : public QWidget
+{
+public:
+    explicit PageFrame(QWidget *pages) : m_pages(pages)
+    {
+        pages->setParent(this);
+        setMinimumSize(kLeastPage);
+    }
+
+protected:
+    void resizeEvent(QResizeEvent *) override { m_pages->setGeometry(rect()); }
+
+private:
+    QWidget *m_pages;
+};
+
+} // namespace
 
 void MainWindow::buildCentre()
 {
@@ -72,11 +105,10 @@ void MainWindow::buildCentre()
     columns->setContentsMargins(0, 0, 0, 0);
     columns->setSpacing(0);
     columns->addWidget(m_rail);
-    m_stack->setMinimumSize(kLeastPage);
     m_scroll->setWidgetResizable(true);
     m_scroll->setFrameShape(QFrame::NoFrame);
     m_scroll->setFocusPolicy(Qt::NoFocus);
-    m_scroll->setWidget(m_stack);
+    m_scroll->setWidget(new PageFrame(m_stack));
     m_places = new QVBoxLayout;
     m_places->setSpacing(0);
     m_places->addWidget(m_scroll, 1);
@@ -85,6 +117,8 @@ void MainWindow::buildCentre()
     setStatusBar(m_status);
     m_corner->setContentsMargins(0, 0, 16, 1);
     menuBar()->setCornerWidget(m_corner, Qt::TopRightCorner);
+    m_corner->setFixedHeight(24);
+    m_corner->setRole(TextRole::Note);
 }
 
 void MainWindow::buildPages()

@@ -205,16 +205,16 @@ void StepRail::currentChanged(const QModelIndex &current, const QModelIndex &pre
         emit stepChosen(kSteps[static_cast<std::size_t>(current.row())]);
 }
 
-void StepRail::paintEvent(QPaintEvent *event)
+// The ground under the steps, also above the first.
+bool StepRail::event(QEvent *event)
 {
-    {
+    if (event->type() == QEvent::Paint) {
         const Palette &look = lookOf(palette());
-        QPainter painter(viewport());
-        painter.fillRect(viewport()->rect(), look.window);
-        painter.setPen(look.border);
-        painter.drawLine(viewport()->width() - 1, 0, viewport()->width() - 1, viewport()->height());
+        QPainter painter(this);
+        painter.fillRect(rect(), look.window);
+        painter.fillRect(width() - 1, 0, 1, height(), look.border);
     }
-    QListView::paintEvent(event);
+    return QListView::event(event);
 }
 
 } // namespace driftbench

@@ -108,7 +108,7 @@ StepState SourcePage::stepState() const
     if (!runs.empty()) {
         const QString first = QFileInfo(QString::fromStdString(runs.front().description.source)).fileName();
         const bool one = runs.size() == 1;
-        return {one ? first : tr("%n log(s)", nullptr, static_cast<int>(runs.size())), true, StepMark::Done};
+        return {one ? first : tr("%1 logs").arg(runs.size()), true, StepMark::Done};
     }
     return {};
 }
@@ -120,8 +120,10 @@ QString SourcePage::hints() const
 
 std::vector<StatusPart> SourcePage::statusParts() const
 {
-    return {
-        {tr("%n bridge(s) plugged in, %1 usable", nullptr, m_bridges->pluggedIn()).arg(m_bridges->usable())}};
+    const int plugged = m_bridges->pluggedIn();
+    const QString text =
+        plugged == 1 ? tr("%1 bridge plugged in, %2 usable") : tr("%1 bridges plugged in, %2 usable");
+    return {{text.arg(plugged).arg(m_bridges->usable())}};
 }
 
 void SourcePage::entered()
@@ -131,6 +133,12 @@ void SourcePage::entered()
         chooseRow(0);
     else if (m_bench.acquisition().state() == Acquisition::State::Idle)
         applyChoice();
+}
+
+void SourcePage::showEvent(QShowEvent *event)
+{
+    Page::showEvent(event);
+    entered();
 }
 
 void SourcePage::showDevices()
@@ -264,7 +272,7 @@ void SourcePage::use()
     if (!m_use->isEnabled())
         return;
     if (m_chosenFile.empty()) {
-        if (m_apply.isActive())
+        if (m_apply.isActive() || !m_bench.sourceChoice())
             applyChoice();
         if (const Status used = m_bench.useSource(); !used)
             return tell(used.error());

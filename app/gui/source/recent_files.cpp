@@ -134,7 +134,8 @@ QString RecentFilesModel::cell(const FileSurvey &survey, int column) const
     case LengthColumn:
         if (survey.kind == FileKind::Session)
             return survey.plannedRuns > 0 ? tr("%1 of %2 runs").arg(survey.runs).arg(survey.plannedRuns)
-                                          : tr("%n run(s)", nullptr, survey.runs);
+                   : survey.runs == 1     ? tr("1 run")
+                                          : tr("%1 runs").arg(survey.runs);
         return survey.durationS < 0.0 ? kDash : durationText(survey.durationS);
     case TemperatureColumn:
         return survey.hasTemperature
