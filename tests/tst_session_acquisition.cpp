@@ -225,7 +225,7 @@ void TestSessionAcquisition::recording_partOfAStream_startsAtZeroAndHoldsThatPar
     QCOMPARE(acquisition.startRecording(file, "twice").error().code, Errc::InvalidOption);
     const RunId run = *acquisition.recordingRun();
     const std::int64_t from = watcher.samples;
-    QTRY_VERIFY(watcher.samples > from + 200);
+    QTRY_VERIFY(watcher.samples > from + 1000); // more than can be under way
     acquisition.stopRecording();
     QTRY_VERIFY(watcher.recorded);
     QVERIFY(watcher.recorded->ok());

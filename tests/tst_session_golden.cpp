@@ -2,6 +2,7 @@
 // to.
 #include "support/cli_process.h"
 #include "support/golden_session.h"
+#include "support/test_data.h"
 
 #include <QTest>
 
@@ -31,7 +32,8 @@ void TestSessionGolden::open_everyVersion_holdsWhatWasWritten()
 {
     QFETCH(int, version);
     QFETCH(bool, write);
-    const auto golden = QString(DRIFTBENCH_SOURCE_DIR "/tests/golden/session-v%1.driftbench").arg(version);
+    const auto golden =
+        (driftbench::test::sourceFolder() + "/tests/golden/session-v%1.driftbench").arg(version);
     const QByteArray bytes = bytesOf(golden);
     QVERIFY(!bytes.isEmpty());
     const auto path = newSessionPath();

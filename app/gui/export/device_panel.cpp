@@ -164,9 +164,16 @@ void DevicePanel::setPreview(std::shared_ptr<const ExportPreview> preview, const
     showFacts();
 }
 
+void DevicePanel::setPreviewStale(bool stale)
+{
+    if (std::exchange(m_previewStale, stale) != stale)
+        emit stateChanged();
+}
+
 bool DevicePanel::canWrite() const
 {
-    return m_preview && !m_preview->image.empty() && m_tables && !m_bench.upload().isRunning();
+    return m_preview && !m_previewStale && !m_preview->image.empty() && m_tables &&
+           !m_bench.upload().isRunning();
 }
 
 bool DevicePanel::canRestore() const

@@ -36,6 +36,8 @@ public:
                 QWidget *parent = nullptr);
 
     void setPreview(std::shared_ptr<const ExportPreview> preview, const TrainedModel *model);
+    // What is shown is being made anew: it is not what would be written.
+    void setPreviewStale(bool stale);
     void look(); // reads the device, unless something else is under way
     void write();
     void restore();
@@ -89,6 +91,7 @@ private:
     QAction *m_restore, *m_cancel, *m_toSource;
 
     std::shared_ptr<const ExportPreview> m_preview;
+    bool m_previewStale = false;
     std::string m_modelName;
     std::optional<DeviceTables> m_tables;
     std::optional<Error> m_problem; // of looking

@@ -227,6 +227,7 @@ void ExportPage::makePreview()
         m_previewAgain = true;
         return;
     }
+    m_device->setPreviewStale(true);
     m_pending = std::make_shared<ExportPreview>();
     m_previewing.start([target = m_pending, trained = *model,
                         choice = session.exportChoice()](const ProgressHook &) -> Status {
@@ -238,6 +239,7 @@ void ExportPage::makePreview()
 void ExportPage::previewReady(const Status &)
 {
     m_preview = std::exchange(m_pending, nullptr);
+    m_device->setPreviewStale(false);
     if (std::exchange(m_previewAgain, false))
         makePreview();
     showPreview();
