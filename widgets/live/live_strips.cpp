@@ -17,7 +17,7 @@ namespace driftbench {
 // the time below the last.
 static constexpr std::array<double, LiveStrips::kStrips> kHeights{156.0, 140.0, 140.0, 144.0};
 static constexpr std::array<int, LiveStrips::kStrips> kAbove{24, 10, 10, 10};
-static constexpr std::array<int, LiveStrips::kStrips> kBelow{6, 6, 6, 38};
+static constexpr std::array<int, LiveStrips::kStrips> kBelow{6, 6, 6, 46};
 static constexpr int kSide = 8;
 static constexpr int kTallStrip = 150;
 static constexpr double kFar = 1e12; // s: reference lines have no end
