@@ -3,11 +3,11 @@
 #include "app/session/session_file.h"
 #include "engine/base/axes.h"
 #include "engine/evaluation/hysteresis.h"
-#include "engine/evaluation/noise_floor.h"
 #include "engine/features/run_features.h"
 #include "engine/formats/log_reader.h"
 #include "engine/recording/campaign.h"
 #include "engine/recording/quality.h"
+#include "engine/recording/run_report.h"
 
 #include <QCoreApplication>
 
@@ -24,7 +24,7 @@ constexpr std::uintmax_t kLargestLookBytes = std::uintmax_t{400} << 20;
 // many times its noise.
 constexpr double kHysteresisShare = 0.1;
 constexpr double kHysteresisNoise = 3.0;
-constexpr double kSurveyCellFactor = 25; // cells of 0.5 degrees for the swing
+constexpr int kSurveyCellFactor = 25; // cells of 0.5 degrees for the swing
 
 QString tr(const char *text)
 {
@@ -81,12 +81,14 @@ QString hystereticAxes(const Run &run)
     const Hysteresis hysteresis = analyseHysteresis(set);
     if (!hysteresis.heatingAndCooling)
         return {};
-    const Eigen::Vector3d noiseDps = noiseFloor(*set.runs.front()).cwiseSqrt();
+    // From sample to sample: what varies within a cell of temperature has the hysteresis in it.
+    const RunReport report = summarise(run);
     const ThermalCurve curve = set.runs.front()->curve.coarsened(kSurveyCellFactor);
     QStringList axes;
     for (int axis = 0; axis < kAxisCount; ++axis) {
         const double rms = hysteresis.rmsDps[axis];
-        if (rms > kHysteresisShare * swingDps(curve, axis) && rms > kHysteresisNoise * noiseDps[axis])
+        if (rms > kHysteresisShare * swingDps(curve, axis) &&
+            rms > kHysteresisNoise * report.axes[static_cast<std::size_t>(axis)].noiseDifferencesDps)
             axes << QString::fromUtf8(kAxisNames[static_cast<std::size_t>(axis)].data());
     }
     return axes.join(QStringLiteral(", "));
