@@ -5,6 +5,7 @@
 #include "widgets/style/fonts.h"
 #include "widgets/style/theme.h"
 
+#include <QEvent>
 #include <QPainter>
 #include <QStyledItemDelegate>
 
