@@ -99,7 +99,7 @@ void SegmentedButtons::setTexts(const QStringList &texts)
         if (!segment) {
             segment = new Segment(m_size, this);
             m_group.addButton(segment, i);
-            m_layout->addWidget(segment, m_stretched ? 1 : 0);
+            m_layout->addWidget(segment);
         }
         segment->setText(texts[i]);
         segment->setAccessibleName(texts[i]);
@@ -107,6 +107,7 @@ void SegmentedButtons::setTexts(const QStringList &texts)
         segment->updateGeometry();
         segment->update();
     }
+    setStretched(m_stretched);
 }
 
 int SegmentedButtons::current() const

@@ -20,7 +20,7 @@ static constexpr int kLabelGap = 3;
 
 namespace {
 
-QString words(const char *text)
+QString markWords(const char *text)
 {
     return QCoreApplication::translate("driftbench::LiveMarks", text);
 }
@@ -139,7 +139,7 @@ private:
         painter.setPen(m_marks->look.mutedText);
         const QCPAxis *values = panel.axis(QCPAxis::atLeft);
         const QFontMetrics metrics{noteFont()};
-        const QString name = words(QT_TRANSLATE_NOOP("driftbench::LiveMarks", "plateau"));
+        const QString name = markWords(QT_TRANSLATE_NOOP("driftbench::LiveMarks", "plateau"));
         for (const LiveHold &hold : m_marks->holds) {
             const double left = std::max<double>(pixelOf(panel, hold.startS), panel.left());
             const double right = std::min<double>(pixelOf(panel, hold.endS), panel.right());
@@ -155,7 +155,7 @@ private:
             const double right = std::min<double>(pixelOf(panel, *m_marks->planLabelS), panel.right()) - 8.0;
             const double y = values->coordToPixel(m_marks->planLabelC) + kLabelGap;
             painter.drawText(QRectF(right - 80.0, y, 80.0, metrics.height()), Qt::AlignRight | Qt::AlignTop,
-                             words(QT_TRANSLATE_NOOP("driftbench::LiveMarks", "plan")));
+                             markWords(QT_TRANSLATE_NOOP("driftbench::LiveMarks", "plan")));
         }
     }
 
@@ -214,9 +214,9 @@ QString LiveMarks::textAt(const QPointF &place) const
             continue;
         const QString where = clockText(gap.startS);
         lines.append(gap.lostSamples < 0
-                         ? words(QT_TRANSLATE_NOOP("driftbench::LiveMarks", "%1: samples missing, %2"))
+                         ? markWords(QT_TRANSLATE_NOOP("driftbench::LiveMarks", "%1: samples missing, %2"))
                                .arg(where, gap.cause)
-                         : words(QT_TRANSLATE_NOOP("driftbench::LiveMarks", "%1: %2 samples dropped, %3"))
+                         : markWords(QT_TRANSLATE_NOOP("driftbench::LiveMarks", "%1: %2 samples dropped, %3"))
                                .arg(where, numberText(static_cast<double>(gap.lostSamples), 0), gap.cause));
     }
     for (const LiveEvent &event : events) {

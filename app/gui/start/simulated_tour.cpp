@@ -18,7 +18,7 @@ namespace driftbench {
 
 static constexpr double kTourSpeed = 1000.0;
 
-static QString text(const char *english)
+static QString tourText(const char *english)
 {
     return QCoreApplication::translate("SimulatedTour", english);
 }
@@ -49,12 +49,12 @@ static TourStep connectStep(MainWindow &window, Workbench &bench)
 {
     TourStep step{Step::Source};
     step.what = [] {
-        return text(QT_TRANSLATE_NOOP("SimulatedTour", "Choose where the samples come from."));
+        return tourText(QT_TRANSLATE_NOOP("SimulatedTour", "Choose where the samples come from."));
     };
     step.why = [] {
-        return text(QT_TRANSLATE_NOOP("SimulatedTour",
-                                      "The simulated bridge runs the firmware of a real one over a "
-                                      "simulated gyro in a chamber. Next uses it."));
+        return tourText(QT_TRANSLATE_NOOP("SimulatedTour",
+                                          "The simulated bridge runs the firmware of a real one over a "
+                                          "simulated gyro in a chamber. Next uses it."));
     };
     step.perform = [&window] {
         auto &page = static_cast<SourcePage &>(*window.page(Step::Source));
@@ -72,9 +72,11 @@ static TourStep connectStep(MainWindow &window, Workbench &bench)
 static TourStep planStep(MainWindow &window, Workbench &bench)
 {
     TourStep step{Step::Plan};
-    step.what = [] { return text(QT_TRANSLATE_NOOP("SimulatedTour", "Plan how the temperature moves.")); };
+    step.what = [] {
+        return tourText(QT_TRANSLATE_NOOP("SimulatedTour", "Plan how the temperature moves."));
+    };
     step.why = [] {
-        return text(QT_TRANSLATE_NOOP(
+        return tourText(QT_TRANSLATE_NOOP(
             "SimulatedTour",
             "From −40 to 85 °C in steps that the datasheets allow. The tour takes three runs "
             "instead of five; each is judged by a model of the others."));
@@ -102,18 +104,18 @@ static TourStep recordStep(MainWindow &window, Workbench &bench)
         if (idle && !bench.acquisition().isRecording())
             QMetaObject::invokeMethod(window.page(Step::Record), "startRecording");
     };
-    step.what = [] { return text(QT_TRANSLATE_NOOP("SimulatedTour", "Record the runs.")); };
+    step.what = [] { return tourText(QT_TRANSLATE_NOOP("SimulatedTour", "Record the runs.")); };
     step.why = [] {
-        return text(QT_TRANSLATE_NOOP("SimulatedTour",
-                                      "Three hours pass in about twelve seconds. Everything is in the "
-                                      "session's file as it comes."));
+        return tourText(QT_TRANSLATE_NOOP("SimulatedTour",
+                                          "Three hours pass in about twelve seconds. Everything is in the "
+                                          "session's file as it comes."));
     };
     step.perform = record;
     step.carryOn = record;
     step.isDone = [&bench] { return finishedRuns(bench.session()) >= kTourRuns; };
     step.trouble = [&bench] { return sourceMissing(bench); };
     step.state = [&bench] {
-        return text(QT_TRANSLATE_NOOP("SimulatedTour", "Recording run %1 of %2."))
+        return tourText(QT_TRANSLATE_NOOP("SimulatedTour", "Recording run %1 of %2."))
             .arg(std::min(finishedRuns(bench.session()) + 1, kTourRuns))
             .arg(kTourRuns);
     };
@@ -123,11 +125,11 @@ static TourStep recordStep(MainWindow &window, Workbench &bench)
 static TourStep inspectStep()
 {
     TourStep step{Step::Inspect};
-    step.what = [] { return text(QT_TRANSLATE_NOOP("SimulatedTour", "Look at the drift.")); };
+    step.what = [] { return tourText(QT_TRANSLATE_NOOP("SimulatedTour", "Look at the drift.")); };
     step.why = [] {
-        return text(QT_TRANSLATE_NOOP("SimulatedTour",
-                                      "Each dot is a sample: its error against the temperature. Where "
-                                      "they lie on one curve, a table can remove it."));
+        return tourText(QT_TRANSLATE_NOOP("SimulatedTour",
+                                          "Each dot is a sample: its error against the temperature. Where "
+                                          "they lie on one curve, a table can remove it."));
     };
     return step;
 }
@@ -135,11 +137,11 @@ static TourStep inspectStep()
 static TourStep trainStep(Workbench &bench)
 {
     TourStep step{Step::Train};
-    step.what = [] { return text(QT_TRANSLATE_NOOP("SimulatedTour", "Train the models.")); };
+    step.what = [] { return tourText(QT_TRANSLATE_NOOP("SimulatedTour", "Train the models.")); };
     step.why = [] {
-        return text(QT_TRANSLATE_NOOP("SimulatedTour",
-                                      "An RBF network and its rivals. Each run is held out once, so "
-                                      "that no model is judged on what it has seen."));
+        return tourText(QT_TRANSLATE_NOOP("SimulatedTour",
+                                          "An RBF network and its rivals. Each run is held out once, so "
+                                          "that no model is judged on what it has seen."));
     };
     // The runs may still be being prepared for the page before.
     const auto asked = std::make_shared<bool>(false);
@@ -169,9 +171,9 @@ static TourStep trainStep(Workbench &bench)
 static TourStep compareStep()
 {
     TourStep step{Step::Compare};
-    step.what = [] { return text(QT_TRANSLATE_NOOP("SimulatedTour", "Read the verdict.")); };
+    step.what = [] { return tourText(QT_TRANSLATE_NOOP("SimulatedTour", "Read the verdict.")); };
     step.why = [] {
-        return text(QT_TRANSLATE_NOOP(
+        return tourText(QT_TRANSLATE_NOOP(
             "SimulatedTour",
             "For each axis: write the table, only a constant, or nothing, with the reason."));
     };
@@ -181,11 +183,13 @@ static TourStep compareStep()
 static TourStep exportStep(MainWindow &window, Workbench &bench)
 {
     TourStep step{Step::Export};
-    step.what = [] { return text(QT_TRANSLATE_NOOP("SimulatedTour", "Write the table into the device.")); };
+    step.what = [] {
+        return tourText(QT_TRANSLATE_NOOP("SimulatedTour", "Write the table into the device."));
+    };
     step.why = [] {
-        return text(QT_TRANSLATE_NOOP("SimulatedTour",
-                                      "Written to the spare bank, read back, verified, and only then "
-                                      "made active. Cut off anywhere, the old table stays."));
+        return tourText(QT_TRANSLATE_NOOP("SimulatedTour",
+                                          "Written to the spare bank, read back, verified, and only then "
+                                          "made active. Cut off anywhere, the old table stays."));
     };
     // The table is made and the device looked at when the page is entered: it may take a moment.
     const auto write = [&window] {
