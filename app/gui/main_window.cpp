@@ -149,6 +149,11 @@ void MainWindow::buildStart()
     m_tour = new GuidedTour(simulatedTour(*this, m_bench), this);
     m_coach = new CoachStrip(*m_tour);
     m_places->addWidget(m_coach);
+    failWithTheWork(*m_tour, m_bench);
+    for (QAction *action : m_coach->tourActions()) {
+        addAction(action);
+        m_menus->everywhere.push_back(action);
+    }
     connect(m_start, &StartPage::tourChosen, this, &MainWindow::startTour);
     connect(m_start, &StartPage::bridgeChosen, this, [this] { showStep(Step::Source); });
     connect(m_start, &StartPage::filesChosen, this, &MainWindow::askOpen);
@@ -219,12 +224,18 @@ void MainWindow::showStep(Step step)
     m_step = step;
     Page *next = page(step);
     m_stack->setCurrentWidget(next);
+    m_scroll->ensureVisible(0, 0);
     m_rail->setCurrentStep(step);
     next->entered();
     m_menus->steps[static_cast<std::size_t>(step)]->setChecked(true);
     showSessionMenu();
     showUndo();
     showStatus();
+}
+
+void MainWindow::bringIntoView(QWidget &part)
+{
+    m_scroll->ensureWidgetVisible(&part, 0, 0);
 }
 
 void MainWindow::showStateOf(Step step)
