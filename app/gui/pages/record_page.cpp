@@ -187,16 +187,10 @@ void RecordPage::showLegend()
     m_legend->setEntries(traces ? m_view->legend() : std::vector<LegendEntry>{}, lookOf(palette()));
 }
 
-void RecordPage::say(const QString &key, BannerKind kind, const QString &what, const QString &toDo,
+void RecordPage::say(const QString &key, BannerKind kind, Words what, Words toDo,
                      std::vector<QAction *> actions, bool closable)
 {
-    BannerContent content;
-    content.kind = kind;
-    content.what = what;
-    content.toDo = toDo;
-    content.actions = std::move(actions);
-    content.closable = closable;
-    banners().post(key, content);
+    banners().post(key, bannerOf(kind, std::move(what), std::move(toDo), std::move(actions), closable));
 }
 
 } // namespace driftbench

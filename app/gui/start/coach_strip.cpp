@@ -47,7 +47,6 @@ CoachStrip::CoachStrip(GuidedTour &tour, QWidget *parent)
     connect(m_skip, &QPushButton::clicked, &m_tour, &GuidedTour::skip);
     connect(m_end, &QPushButton::clicked, &m_tour, &GuidedTour::stop);
     connect(&m_tour, &GuidedTour::changed, this, &CoachStrip::showStep);
-    setAccessibleName(tr("Guided tour"));
     hide();
 }
 
@@ -63,6 +62,7 @@ void CoachStrip::showStep()
     m_why->setText(state.isEmpty() ? step.why() : state);
     m_next->setText(m_tour.at() + 1 == m_tour.count() && !step.perform ? tr("Finish") : tr("Next"));
     m_next->setEnabled(!m_tour.isWorking());
+    setAccessibleName(tr("Guided tour"));
     m_skip->setText(tr("Skip"));
     m_end->setText(tr("End tour"));
     for (ActionButton *button : {m_next, m_skip, m_end})
