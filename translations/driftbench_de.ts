@@ -529,7 +529,7 @@
     </message>
     <message>
         <source>1, 2, 3 choose the held-out run · Wheel zoom · Drag pan · Double-click fit · Ctrl+E export what is visible</source>
-        <translation>1, 2, 3 zurückgehaltenen Lauf wählen · Mausrad zoomen · Ziehen verschieben · Doppelklick einpassen · Ctrl+E Sichtbares exportieren</translation>
+        <translation>1, 2, 3 zurückgehaltenen Lauf wählen · Mausrad zoomen · Ziehen verschieben · Doppelklick einpassen · Strg+E Sichtbares exportieren</translation>
     </message>
     <message numerus="yes">
         <source>%n held-out run(s)</source>
@@ -1051,7 +1051,7 @@ keiner</translation>
     </message>
     <message>
         <source>Samples</source>
-        <translation>Abtastwerte</translation>
+        <translation>Werte</translation>
     </message>
     <message>
         <source>Why</source>
@@ -1186,11 +1186,11 @@ keiner</translation>
     </message>
     <message>
         <source>Esc cancel, the old table stays · Ctrl+S save the files</source>
-        <translation>Esc abbrechen, die alte Tabelle bleibt · Ctrl+S Dateien speichern</translation>
+        <translation>Esc abbrechen, die alte Tabelle bleibt · Strg+S Dateien speichern</translation>
     </message>
     <message>
         <source>Ctrl+S save the files · Ctrl+U write to the device · F5 look again · Ctrl+C copy the selected cells</source>
-        <translation>Ctrl+S Dateien speichern · Ctrl+U auf das Gerät schreiben · F5 erneut suchen · Ctrl+C ausgewählte Zellen kopieren</translation>
+        <translation>Strg+S Dateien speichern · Strg+U auf das Gerät schreiben · F5 erneut suchen · Strg+C ausgewählte Zellen kopieren</translation>
     </message>
     <message>
         <source>Save files…</source>
@@ -1692,7 +1692,7 @@ keiner</translation>
     </message>
     <message>
         <source>Drag in the time strip to select · Delete exclude · Ctrl+Z undo · X, Y, Z choose the axis · Double-click fit</source>
-        <translation>Ziehen im Zeitstreifen auswählen · Delete ausschließen · Ctrl+Z rückgängig · X, Y, Z Achse wählen · Doppelklick einpassen</translation>
+        <translation>Ziehen im Zeitstreifen auswählen · Entf ausschließen · Strg+Z rückgängig · X, Y, Z Achse wählen · Doppelklick einpassen</translation>
     </message>
     <message>
         <source>%1, %2 samples at %3 Hz</source>
@@ -2151,7 +2151,7 @@ dps</translation>
     <name>driftbench::MainWindow</name>
     <message>
         <source>Tab next · Enter choose · Ctrl+O open files · Alt+1 to 7 steps</source>
-        <translation>Tab weiter · Enter wählen · Ctrl+O Dateien öffnen · Alt+1 bis 7 Schritte</translation>
+        <translation>Tab weiter · Enter wählen · Strg+O Dateien öffnen · Alt+1 bis 7 Schritte</translation>
     </message>
     <message>
         <source>Event log</source>
@@ -2307,7 +2307,7 @@ dps</translation>
     </message>
     <message>
         <source>Shift+Drag|Zoom to a box</source>
-        <translation>Shift+Ziehen|Auf Rechteck zoomen</translation>
+        <translation>Umschalt+Ziehen|Auf Rechteck zoomen</translation>
     </message>
     <message>
         <source>Double-click, F|Fit</source>
@@ -2327,7 +2327,7 @@ dps</translation>
     </message>
     <message>
         <source>Ctrl+E|Export what is visible</source>
-        <translation>Ctrl+E|Sichtbares exportieren</translation>
+        <translation>Strg+E|Sichtbares exportieren</translation>
     </message>
     <message>
         <source>About Driftbench</source>
@@ -2553,7 +2553,7 @@ dps</translation>
     <message>
         <source>Excess %1
 %</source>
-        <translation>Überschuss %1
+        <translation>Übersch. %1
 %</translation>
     </message>
     <message>
@@ -2696,7 +2696,7 @@ dps²</translation>
     </message>
     <message>
         <source>Slowest mode of a %1 m cube, still air</source>
-        <translation>Langsamste Mode, Würfel %1 m, ruhende Luft</translation>
+        <translation>Trägste Mode, Würfel %1 m, ruhende Luft</translation>
     </message>
 </context>
 <context>
@@ -2822,7 +2822,7 @@ dps²</translation>
     </message>
     <message>
         <source>Tab next field · Up, Down change a value · Ctrl+Z undo · Ctrl+Enter record</source>
-        <translation>Tab nächstes Feld · Auf, Ab Wert ändern · Ctrl+Z rückgängig · Ctrl+Enter aufzeichnen</translation>
+        <translation>Tab nächstes Feld · Auf, Ab Wert ändern · Strg+Z rückgängig · Strg+Enter aufzeichnen</translation>
     </message>
     <message>
         <source>Use this plan</source>
@@ -3334,7 +3334,7 @@ dps²</translation>
     </message>
     <message>
         <source>Wheel zoom · Drag pan · Shift+drag box zoom · Double-click fit · A, B set a cursor at the mouse</source>
-        <translation>Mausrad zoomen · Ziehen verschieben · Shift+Ziehen Rechteck zoomen · Doppelklick einpassen · A, B Cursor an der Maus setzen</translation>
+        <translation>Mausrad zoomen · Ziehen verschieben · Umschalt+Ziehen Rechteck zoomen · Doppelklick einpassen · A, B Cursor an der Maus setzen</translation>
     </message>
     <message>
         <source>No samples dropped</source>
@@ -3948,7 +3948,7 @@ dps²</translation>
     </message>
     <message>
         <source>Up, Down choose · Enter use · F5 look again · Ctrl+O open files · Alt+1 to 7 steps</source>
-        <translation>Auf, Ab wählen · Enter verwenden · F5 erneut suchen · Ctrl+O Dateien öffnen · Alt+1 bis 7 Schritte</translation>
+        <translation>Auf, Ab wählen · Enter verwenden · F5 erneut suchen · Strg+O Dateien öffnen · Alt+1 bis 7 Schritte</translation>
     </message>
     <message>
         <source>%1 %2 is plugged in, but you may not open it.</source>
@@ -4707,7 +4707,7 @@ dps²</translation>
     </message>
     <message>
         <source>Ctrl+R train · Click the curve of the excess to take that number of centres · F fit</source>
-        <translation>Ctrl+R trainieren · Klick auf die Überschusskurve übernimmt diese Anzahl der Zentren · F einpassen</translation>
+        <translation>Strg+R trainieren · Klick auf die Überschusskurve übernimmt diese Anzahl der Zentren · F einpassen</translation>
     </message>
     <message numerus="yes">
         <source>%n run(s), %1 samples</source>
@@ -4780,7 +4780,7 @@ dps²</translation>
     </message>
     <message>
         <source>Commit</source>
-        <translation>Festschreiben</translation>
+        <translation>Festlegen</translation>
     </message>
     <message>
         <source>Activate</source>

@@ -1186,7 +1186,7 @@ aucune</translation>
     </message>
     <message>
         <source>Esc cancel, the old table stays · Ctrl+S save the files</source>
-        <translation>Esc annuler, l’ancienne table reste · Ctrl+S enregistrer les fichiers</translation>
+        <translation>Échap annuler, l’ancienne table reste · Ctrl+S enregistrer les fichiers</translation>
     </message>
     <message>
         <source>Ctrl+S save the files · Ctrl+U write to the device · F5 look again · Ctrl+C copy the selected cells</source>
@@ -1692,7 +1692,7 @@ aucune</translation>
     </message>
     <message>
         <source>Drag in the time strip to select · Delete exclude · Ctrl+Z undo · X, Y, Z choose the axis · Double-click fit</source>
-        <translation>Glisser dans la bande de temps sélectionner · Delete exclure · Ctrl+Z annuler · X, Y, Z choisir l’axe · Double-clic cadrer</translation>
+        <translation>Glisser dans la bande de temps sélectionner · Suppr exclure · Ctrl+Z annuler · X, Y, Z choisir l’axe · Double-clic cadrer</translation>
     </message>
     <message>
         <source>%1, %2 samples at %3 Hz</source>
@@ -2151,7 +2151,7 @@ dps</translation>
     <name>driftbench::MainWindow</name>
     <message>
         <source>Tab next · Enter choose · Ctrl+O open files · Alt+1 to 7 steps</source>
-        <translation>Tab suivant · Enter choisir · Ctrl+O ouvrir des fichiers · Alt+1 à 7 étapes</translation>
+        <translation>Tab suivant · Entrée choisir · Ctrl+O ouvrir des fichiers · Alt+1 à 7 étapes</translation>
     </message>
     <message>
         <source>Event log</source>
@@ -2307,7 +2307,7 @@ dps</translation>
     </message>
     <message>
         <source>Shift+Drag|Zoom to a box</source>
-        <translation>Shift+Glisser|Zoom sur un cadre</translation>
+        <translation>Maj+Glisser|Zoom sur un cadre</translation>
     </message>
     <message>
         <source>Double-click, F|Fit</source>
@@ -2822,7 +2822,7 @@ dps²</translation>
     </message>
     <message>
         <source>Tab next field · Up, Down change a value · Ctrl+Z undo · Ctrl+Enter record</source>
-        <translation>Tab champ suivant · Up, Down changer une valeur · Ctrl+Z annuler · Ctrl+Enter acquérir</translation>
+        <translation>Tab champ suivant · Haut, Bas changer une valeur · Ctrl+Z annuler · Ctrl+Entrée acquérir</translation>
     </message>
     <message>
         <source>Use this plan</source>
@@ -3334,7 +3334,7 @@ dps²</translation>
     </message>
     <message>
         <source>Wheel zoom · Drag pan · Shift+drag box zoom · Double-click fit · A, B set a cursor at the mouse</source>
-        <translation>Molette zoom · Glisser déplacer · Shift+glisser zoom sur un cadre · Double-clic cadrer · A, B placer un curseur à la souris</translation>
+        <translation>Molette zoom · Glisser déplacer · Maj+glisser zoom sur un cadre · Double-clic cadrer · A, B placer un curseur à la souris</translation>
     </message>
     <message>
         <source>No samples dropped</source>
@@ -3948,7 +3948,7 @@ dps²</translation>
     </message>
     <message>
         <source>Up, Down choose · Enter use · F5 look again · Ctrl+O open files · Alt+1 to 7 steps</source>
-        <translation>Up, Down choisir · Enter utiliser · F5 actualiser · Ctrl+O ouvrir des fichiers · Alt+1 à 7 étapes</translation>
+        <translation>Haut, Bas choisir · Entrée utiliser · F5 actualiser · Ctrl+O ouvrir des fichiers · Alt+1 à 7 étapes</translation>
     </message>
     <message>
         <source>%1 %2 is plugged in, but you may not open it.</source>
@@ -3960,7 +3960,7 @@ dps²</translation>
     </message>
     <message>
         <source>Enter</source>
-        <translation>Enter</translation>
+        <translation>Entrée</translation>
     </message>
     <message>
         <source>Use source</source>

@@ -7,6 +7,7 @@
 #include "app/gui/workbench.h"
 #include "widgets/style/number_text.h"
 
+#include <QMenuBar>
 #include <QMessageBox>
 #include <QSplitter>
 #include <QUndoStack>
@@ -94,6 +95,7 @@ void MainWindow::showSession()
     m_corner->setToolTip(session.isReadOnly() ? session.readOnlyReason()
                                               : QString::fromStdString(session.path().string()));
     m_corner->adjustSize();
+    menuBar()->setCornerWidget(m_corner, Qt::TopRightCorner); // which only then looks how wide it is
     setWindowTitle(session.isUnnamed() ? tr("Driftbench") : tr("%1 – Driftbench").arg(session.name()));
 }
 

@@ -260,7 +260,6 @@ void ComparePage::chooseRun(int run)
 
 void ComparePage::showResult()
 {
-    const Session &session = context().workbench->session();
     const CalibrationResult *found = result();
     m_stack->setCurrentIndex(found != nullptr ? 1 : 0);
     m_report->setEnabled(found != nullptr && !m_reports->isRunning());
@@ -270,7 +269,6 @@ void ComparePage::showResult()
     setEmptyTexts();
     if (found != nullptr) {
         m_run = std::clamp(m_run, 0, std::max(0, static_cast<int>(found->heldOut.size()) - 1));
-        m_plots->setOrigin(session.isSimulated() ? OriginChip::words(Origin::Simulated) : QString());
         showRunChoice();
     }
     showPlan();
@@ -292,6 +290,8 @@ void ComparePage::showPlan()
                           : tr("%1 against a constant, on runs it has not seen").arg(shortModelLabel(model)));
     showCards();
     showTable();
+    m_plots->setOrigin(context().workbench->session().isSimulated() ? OriginChip::words(Origin::Simulated)
+                                                                    : QString());
     if (m_traces)
         m_plots->setData({m_traces, plan.limitRmsDps});
     emit stateChanged();

@@ -275,20 +275,8 @@ void TrainPage::showResult()
         const bool fresh = m_shown != session.result() || m_shownCampaign != session.prepared();
         m_shown = session.result();
         m_shownCampaign = session.prepared();
-        if (fresh) {
-            const CentresData shown = centresData(*m_shownCampaign, *m_shown);
-            const QString origin =
-                m_shown->figures.simulated ? OriginChip::words(Origin::Simulated) : QString();
-            for (CentresView *view : {m_losses, m_curves}) {
-                view->setData(shown);
-                view->setOrigin(origin);
-            }
-            m_options->setNote(
-                shown.selection
-                    ? tr("Centres: the fewest that do as well as the best on runs left out. Here %1.")
-                          .arg(centresText(shown.selection->chosen))
-                    : QString());
-        }
+        if (fresh)
+            showFigures();
     } else if (session.result() && !session.prepared() && isVisible()) {
         // A session from a file has the figures; the plots need its runs.
         if (!context().workbench->training().isRunning())
@@ -298,6 +286,20 @@ void TrainPage::showResult()
         m_shownCampaign.reset();
     }
     showPlan();
+}
+
+void TrainPage::showFigures()
+{
+    const CentresData shown = centresData(*m_shownCampaign, *m_shown);
+    const QString origin = m_shown->figures.simulated ? OriginChip::words(Origin::Simulated) : QString();
+    for (CentresView *view : {m_losses, m_curves}) {
+        view->setData(shown);
+        view->setOrigin(origin);
+    }
+    m_options->setNote(shown.selection
+                           ? tr("Centres: the fewest that do as well as the best on runs left out. Here %1.")
+                                 .arg(centresText(shown.selection->chosen))
+                           : QString());
 }
 
 void TrainPage::showTable()
@@ -356,6 +358,8 @@ void TrainPage::retranslate()
         showContext();
         setEmptyTexts();
         showTable();
+        if (m_shown && m_shownCampaign)
+            showFigures();
     }
 }
 

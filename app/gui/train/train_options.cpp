@@ -57,7 +57,7 @@ TrainOptions::TrainOptions(QWidget *parent)
         rows->addWidget(m_models.at(name));
     rows->addWidget(m_inputsHead);
     auto *inputs = new QHBoxLayout;
-    inputs->setSpacing(10);
+    inputs->setSpacing(6);
     for (QCheckBox *input : m_inputs)
         inputs->addWidget(input);
     inputs->addWidget(m_dynamic);
