@@ -1,12 +1,15 @@
 #include "device/hid_access.h"
 
 #include "device/hidapi_transport.h"
+#include "device/node_holders.h"
 
 namespace driftbench {
 
 HidAccess hidDevicesOfThisComputer()
 {
-    return {listHidDevices, openHidDevice};
+    HidAccess access{listHidDevices, openHidDevice};
+    access.heldElsewhere = [](const HidIdentity &identity) { return isHeldElsewhere(identity.path); };
+    return access;
 }
 
 } // namespace driftbench

@@ -17,6 +17,8 @@ struct HidAccess
     std::function<Result<std::unique_ptr<HidTransport>>(const HidIdentity &)> open;
     std::filesystem::path sysfs = "/sys"; // what the kernel says of devices that are not in the list
     HostClock *clock = nullptr;           // that of the devices, which outlives them; null: a steady clock
+    // Whether a program that does not lock the nodes has it open; null: none has.
+    std::function<bool(const HidIdentity &)> heldElsewhere{};
 };
 
 HidAccess hidDevicesOfThisComputer();

@@ -1,11 +1,14 @@
 #include "device/hidapi_transport.h"
 
+#include "device/udev_rule.h"
+
 #include <hidapi.h>
 
 #include <cerrno>
 #include <fcntl.h>
 #include <linux/hidraw.h>
 #include <mutex>
+#include <poll.h>
 #include <sys/file.h>
 #include <sys/ioctl.h>
 #include <system_error>
@@ -108,6 +111,21 @@ Claim claim(const std::string &path)
     return made;
 }
 
+// A cable that is pulled in the middle of an exchange makes it fail at once, as a damaged one; that the
+// device has gone the kernel knows and tells all who have the node open a moment later.
+bool mayBeGone(int errorNumber)
+{
+    return errorNumber == EIO || errorNumber == EPROTO || errorNumber == EILSEQ || errorNumber == EOVERFLOW ||
+           errorNumber == ETIMEDOUT;
+}
+
+bool goesSoon(int descriptor)
+{
+    constexpr int kWaitMs = 250;
+    pollfd end{descriptor, 0, 0}; // asks for nothing but the end
+    return ::poll(&end, 1, kWaitMs) > 0;
+}
+
 Error openError(const std::string &path, int number)
 {
     switch (number) {
@@ -157,11 +175,13 @@ private:
 
     hid_device *m_device;
     HidIdentity m_identity;
-    Descriptor m_lock; // as long as it is open
+    Descriptor m_lock; // as long as it is open; never read from
 };
 
 Error HidapiTransport::exchangeError(const char *what, std::uint8_t id, int errorNumber) const
 {
+    if (mayBeGone(errorNumber) && goesSoon(m_lock.number()))
+        return unplugged();
     const std::string report = std::string(what) + " report " + std::to_string(id);
     switch (errorNumber) {
     case ENODEV:
@@ -247,12 +267,6 @@ Result<std::unique_ptr<HidTransport>> openHidDevice(const HidIdentity &identity)
         return std::unique_ptr<HidTransport>(
             std::make_unique<HidapiTransport>(device, identity, std::move(claimed.descriptor)));
     return openError(identity.path, 0);
-}
-
-std::string udevRuleHint()
-{
-    return "install resources/70-driftbench.rules as root into /etc/udev/rules.d, run \"udevadm control "
-           "--reload\" and \"udevadm trigger\", and plug the device in again.";
 }
 
 } // namespace driftbench

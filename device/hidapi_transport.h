@@ -4,7 +4,8 @@
 //
 // Errors of openHidDevice: DeviceNotFound (nothing at the path), DeviceNotPermitted (with how to install the
 // udev rule), DeviceInUse, DeviceRefused (anything else, with the system's words). Errors of the transport as
-// hid_transport.h says; a signal while reading is a time-out.
+// hid_transport.h says; a signal while reading is a time-out. An exchange that fails as it does when the
+// cable is pulled waits a moment for the kernel to notice that the device has gone, and then says so.
 #pragma once
 
 #include "device/hid_transport.h"
@@ -20,8 +21,5 @@ std::vector<HidIdentity> listHidDevices();
 // identity: one of the list; only its path is used to open it. It is ours alone as long as it is open: a
 // second one, of this or another program that locks the node, is DeviceInUse.
 Result<std::unique_ptr<HidTransport>> openHidDevice(const HidIdentity &identity);
-
-// How to install resources/70-driftbench.rules, one sentence.
-std::string udevRuleHint();
 
 } // namespace driftbench

@@ -12,11 +12,6 @@ namespace driftbench {
 
 namespace {
 
-Error invalid(std::string message)
-{
-    return {Errc::InvalidOption, std::move(message)};
-}
-
 KernelReports kernelReports(const HidAccess &access)
 {
     return [&access](UsbId id) { return kernelDriverState(access.sysfs, id.vendorId, id.productId); };
@@ -182,8 +177,9 @@ GyroI2cOptions gyroOptions(const I2cChoice &i2c, const SourceChoice &choice)
 Result<OpenedSource> openI2c(const I2cChoice &i2c, const SourceChoice &choice, const HidAccess &access)
 {
     if (choice.compensate)
-        return invalid("A gyro behind an I2C bridge has no compensation table; record without --compensate "
-                       "and apply the model to the log.");
+        return invalidOption(
+            "A gyro behind an I2C bridge has no compensation table; record without --compensate "
+            "and apply the model to the log.");
     const auto found = findI2cChip(access.list(), i2c, kernelReports(access));
     if (!found)
         return found.error();
@@ -206,9 +202,10 @@ Result<OpenedSource> openFile(const FileChoice &file, const SourceChoice &choice
 {
     if (choice.rateHz != 0.0 || choice.rangeDps != 0.0 || choice.compensate ||
         choice.thermometer != ThermometerChoice::Automatic)
-        return invalid("A log is played back as it was recorded; rate, range, thermometer and compensation "
-                       "can't be chosen for " +
-                       file.path.string() + ".");
+        return invalidOption(
+            "A log is played back as it was recorded; rate, range, thermometer and compensation "
+            "can't be chosen for " +
+            file.path.string() + ".");
     auto clock = std::make_unique<SteadyClock>();
     auto source = ReplaySource::open(file.path, *clock, {file.speed, ReplayOptions{}.blockS, file.read});
     if (!source)
@@ -222,7 +219,7 @@ Status checkOptions(const SourceChoice &choice)
 {
     for (const double figure : {choice.rateHz, choice.rangeDps}) {
         if (!(figure >= 0.0 && figure <= 1e9))
-            return invalid("Rate and range must be more than 0.");
+            return invalidOption("Rate and range must be more than 0.");
     }
     return {};
 }
@@ -250,9 +247,10 @@ Result<OpenedBridge> openBridge(const SourceChoice &choice, const HidAccess &acc
     const auto *simulated = choice.as<SimulatedChoice>();
     const auto *native = choice.as<NativeChoice>();
     if (!simulated && !native)
-        return invalid("\"" + sourceChoiceText(choice) +
-                       "\" is no native gyro bridge, and only those have settings and tables; say simulated, "
-                       "hid, or hid: and a serial number.");
+        return invalidOption(
+            "\"" + sourceChoiceText(choice) +
+            "\" is no native gyro bridge, and only those have settings and tables; say simulated, "
+            "hid, or hid: and a serial number.");
     auto connection = simulated ? connect(*simulated) : connect(*native, access);
     if (!connection)
         return connection.error();

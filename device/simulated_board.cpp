@@ -10,33 +10,31 @@ namespace driftbench {
 
 namespace {
 
-Error invalid(std::string message)
-{
-    return {Errc::InvalidOption, std::move(message)};
-}
-
 Status check(const SimulatedBoardOptions &options)
 {
     const GyroOptions &gyro = options.simulation.gyro;
     const double finestCount = gyro.sensitivityMdps * 100.0;
     if (!(finestCount >= 1.0) || finestCount * kSimulatedRangeFactors.back() > 65535.0)
-        return invalid("The simulated bridge needs a sensitivity of 0.01 to 81 mdps a count; " +
-                       std::to_string(gyro.sensitivityMdps) + " was given.");
+        return invalidOption("The simulated bridge needs a sensitivity of 0.01 to 81 mdps a count; " +
+                             std::to_string(gyro.sensitivityMdps) + " was given.");
     if (!(options.speed >= 0.0) || !std::isfinite(options.speed))
-        return invalid("The speed of the simulated bridge must be 0 or more.");
+        return invalidOption("The speed of the simulated bridge must be 0 or more.");
     if (!(options.lowestRateHz >= 0.001) || !(options.highestRateHz >= options.lowestRateHz) ||
         !(options.highestRateHz <= 1e6))
-        return invalid("The sampling rates of the simulated bridge must lie between 0.001 and 1000000 Hz.");
+        return invalidOption(
+            "The sampling rates of the simulated bridge must lie between 0.001 and 1000000 Hz.");
     if (options.ringReports < 1 || options.bankBytes % BRIDGE_FLASH_UNIT != 0 || options.bankBytes < 1024)
-        return invalid("The simulated bridge needs a ring of 1 report or more and banks of 1024 bytes or "
-                       "more, a multiple of 8.");
+        return invalidOption(
+            "The simulated bridge needs a ring of 1 report or more and banks of 1024 bytes or "
+            "more, a multiple of 8.");
     if (options.firstRun < 0)
-        return invalid("The runs of the simulated bridge count from 0; " + std::to_string(options.firstRun) +
-                       " was given.");
+        return invalidOption("The runs of the simulated bridge count from 0; " +
+                             std::to_string(options.firstRun) + " was given.");
     const SensorIdentity &sensor = options.simulation.sensor;
     if (sensor.model.size() > BRIDGE_MODEL_SIZE || sensor.serial.size() > BRIDGE_SERIAL_SIZE)
-        return invalid("The simulated bridge can name a model of 12 letters and a serial number of 16; \"" +
-                       sensor.text() + "\" is longer.");
+        return invalidOption(
+            "The simulated bridge can name a model of 12 letters and a serial number of 16; \"" +
+            sensor.text() + "\" is longer.");
     return checkOptions(options.simulation);
 }
 

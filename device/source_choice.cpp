@@ -10,11 +10,6 @@ namespace driftbench {
 
 namespace {
 
-Error invalid(std::string message)
-{
-    return {Errc::InvalidOption, std::move(message)};
-}
-
 // Before and after the first or last separator; nothing after it if there is none.
 struct Parts
 {
@@ -63,8 +58,8 @@ Result<NameAtAddress> parseNameAtAddress(std::string_view text)
         return parsed;
     const auto number = hexNumber(*address, 0x7F);
     if (!number || *number == 0)
-        return invalid("\"" + std::string(*address) +
-                       "\" is no I2C address; give 7 bits in hex, like 6b or 0x6b.");
+        return invalidOption("\"" + std::string(*address) +
+                             "\" is no I2C address; give 7 bits in hex, like 6b or 0x6b.");
     parsed.address = static_cast<std::uint8_t>(*number);
     return parsed;
 }
@@ -84,8 +79,8 @@ Status takeGyro(I2cChoice &choice, std::string_view text)
         known += lowered(gyro.model) + ", ";
     }
     if (choice.gyro.empty())
-        return invalid("There is no gyro \"" + parsed->name + "\" for an I2C bridge; say " + known +
-                       "or auto for whichever answers.");
+        return invalidOption("There is no gyro \"" + parsed->name + "\" for an I2C bridge; say " + known +
+                             "or auto for whichever answers.");
     return {};
 }
 
@@ -103,9 +98,10 @@ Status takeThermometer(SourceChoice &choice, I2cChoice &i2c, std::string_view te
     else if (parsed->name == "die")
         choice.thermometer = ThermometerChoice::Die;
     else if (parsed->name != "any")
-        return invalid("There is no thermometer \"" + parsed->name + "\"; say tmp117, mcp9808, any or die.");
+        return invalidOption("There is no thermometer \"" + parsed->name +
+                             "\"; say tmp117, mcp9808, any or die.");
     if (!i2c.thermometer && parsed->address != 0)
-        return invalid("An address needs a thermometer whose name is known, like tmp117@48.");
+        return invalidOption("An address needs a thermometer whose name is known, like tmp117@48.");
     return {};
 }
 
@@ -116,11 +112,11 @@ Result<SourceChoice> parseI2c(std::string_view text)
     // A serial number may be a path: the gyro stands behind the last slash.
     const auto [bridge, sensors] = splitAt(text, text.rfind('/'));
     if (!sensors || sensors->empty())
-        return invalid("\"i2c:" + std::string(text) + "\" names no gyro; " + std::string(kHow));
+        return invalidOption("\"i2c:" + std::string(text) + "\" names no gyro; " + std::string(kHow));
     const auto [chipName, serial] = splitAt(bridge, bridge.find(':'));
     const auto chip = i2cChipNamed(chipName);
     if (!chip)
-        return invalid("There is no bridge \"" + std::string(chipName) + "\"; " + std::string(kHow));
+        return invalidOption("There is no bridge \"" + std::string(chipName) + "\"; " + std::string(kHow));
     SourceChoice choice{I2cChoice{*chip, std::string(serial.value_or(""))}};
     I2cChoice &i2c = *choice.as<I2cChoice>();
     const auto [gyro, thermometer] = splitAt(*sensors, sensors->find('+'));
@@ -149,13 +145,14 @@ Result<SourceChoice> parseFile(std::string_view text)
     const auto [path, speed] = splitAt(text, text.rfind('*'));
     if (const auto number = speed ? parseNumber(*speed) : std::nullopt) {
         if (!(*number >= 0.0) || !std::isfinite(*number))
-            return invalid("A log can't be played back " + std::string(*speed) +
-                           " times as fast; give a number above 0, or 0 for as fast as it goes.");
+            return invalidOption("A log can't be played back " + std::string(*speed) +
+                                 " times as fast; give a number above 0, or 0 for as fast as it goes.");
         file.path = std::string(path);
         file.speed = *number;
     }
     if (file.path.empty())
-        return invalid("\"file:" + std::string(text) + "\" names no log; say file:PATH or file:PATH*SPEED.");
+        return invalidOption("\"file:" + std::string(text) +
+                             "\" names no log; say file:PATH or file:PATH*SPEED.");
     return SourceChoice{file};
 }
 
@@ -187,8 +184,8 @@ Result<UsbId> parseUsbId(std::string_view text)
     const auto vendor = hexNumber(vendorText, 0xFFFF);
     const auto product = productText ? hexNumber(*productText, 0xFFFF) : std::nullopt;
     if (!vendor || !product)
-        return invalid("\"" + std::string(text) +
-                       "\" is no USB id; give vendor and product in hex, like 1209:0001.");
+        return invalidOption("\"" + std::string(text) +
+                             "\" is no USB id; give vendor and product in hex, like 1209:0001.");
     return UsbId{static_cast<std::uint16_t>(*vendor), static_cast<std::uint16_t>(*product)};
 }
 
@@ -210,8 +207,8 @@ Result<SourceChoice> parseSourceChoice(std::string_view text)
         return parseI2c(rest);
     if (kind == "file")
         return parseFile(rest);
-    return invalid("\"" + std::string(text) +
-                   "\" is no source; say simulated, hid, hid:SERIAL, i2c:CHIP/GYRO or file:PATH.");
+    return invalidOption("\"" + std::string(text) +
+                         "\" is no source; say simulated, hid, hid:SERIAL, i2c:CHIP/GYRO or file:PATH.");
 }
 
 std::string sourceChoiceText(const SourceChoice &choice)

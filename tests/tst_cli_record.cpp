@@ -242,6 +242,10 @@ void TestCliRecord::record_badInput_saysWhichInOneSentence_data()
     QTest::newRow("speed") << QStringList{"--source", "simulated", "--speed", "-1"} << option;
     QTest::newRow("speed of hid") << QStringList{"--source", "hid", "--speed", "2"} << option;
     QTest::newRow("seed of hid") << QStringList{"--source", "hid", "--seed", "2"} << option;
+    for (const QStringList &ofLogs : {QStringList{"--columns", "1,2,3,4,5"},
+                                      QStringList{"--rate-unit", "mdps"}, QStringList{"--instance", "0"}})
+        QTest::addRow("%s of simulated", qPrintable(ofLogs[0])) << simulated + ofLogs << option;
+    QTest::newRow("ids of simulated") << simulated + QStringList{"--usb-id", "1209:0001"} << option;
     QTest::newRow("i2c option") << simulated + QStringList{"--bus-speed", "100"} << option;
     QTest::newRow("plan") << simulated + QStringList{"--plan", "/no/plan.json"}
                           << static_cast<int>(Errc::FileNotFound);

@@ -34,6 +34,8 @@ private slots:
     void fit_sessionBesideLogs_isRefused();
     void fit_logsWithoutOut_isRefused();
     void export_session_isNoted();
+    void upload_session_isNoted();
+    void apply_session_equalsItsModelFile();
     void export_sessionWithoutModels_saysWhatToDo();
     void evaluate_session_judgesItsRuns();
     void record_twice_areTwoRunsOfOneSession();
@@ -239,6 +241,34 @@ void TestCliSession::export_session_isNoted()
         runCli({"export", "--model", session(), "--name", "rbf", "--format", "c", "--out", table});
     QCOMPARE(unknown.exitCode, static_cast<int>(Errc::NoSuchRun));
     QVERIFY(unknown.errors.contains("constant, linear, cubic, auto"));
+}
+
+void TestCliSession::upload_session_isNoted()
+{
+    import();
+    QCOMPARE(runCli(QStringList{"fit", session()} + kQuickModels).exitCode, 0);
+    const Outcome outcome = runCli({"device", "upload", "--model", session(), "--name", "cubic", "--force",
+                                    "--flash", m_folder->filePath("bridge.bin"), "--json"});
+    QVERIFY2(outcome.exitCode == 0, outcome.errors);
+    QVERIFY(jsonFrom(outcome)["activated"].get<bool>());
+    QCOMPARE(jsonFrom(runCli({"session", "info", session(), "--json"}))["uploads"].get<int>(), 1);
+    QVERIFY(runCli({"session", "info", session()}).output.contains("to simulated, verified, in use"));
+}
+
+void TestCliSession::apply_session_equalsItsModelFile()
+{
+    import();
+    const QString fit = m_folder->filePath("fit");
+    QCOMPARE(runCli(QStringList{"fit", session(), "--out", fit} + kQuickModels).exitCode, 0);
+    const auto compensated = [&](const QStringList &model, const QString &name) {
+        const QString out = m_folder->filePath(name);
+        const Outcome outcome = runCli(QStringList{"apply", "--model"} + model + QStringList{logs()[1], out});
+        QFile file(out);
+        return outcome.exitCode == 0 && file.open(QIODevice::ReadOnly) ? file.readAll() : outcome.errors;
+    };
+    const QByteArray bySession = compensated({session(), "--name", "linear"}, "session.csv");
+    QVERIFY(bySession.contains("comp_x_dps"));
+    QVERIFY(bySession == compensated({fit + "/models/linear.json"}, "file.csv"));
 }
 
 void TestCliSession::export_sessionWithoutModels_saysWhatToDo()

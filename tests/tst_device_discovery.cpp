@@ -36,6 +36,7 @@ private slots:
     void scan_errors_areThoseOfTheDevices();
     void scan_remembersAndForgets();
     void scan_inUse_isNeverOpened();
+    void scan_chipHeldElsewhere_isNotOpenedUntilItIsFree();
     void scan_sysfsTree_isRead();
     void same_listsThatDiffer_areTold();
 };
@@ -325,6 +326,30 @@ void TestDeviceDiscovery::scan_inUse_isNeverOpened()
     list = scanner.scan(both);
     QCOMPARE(devices.opened, 2);
     QVERIFY(list[1].inUse && list[1].details.has_value()); // what is known of it stays
+}
+
+// A native bridge may be asked meanwhile; the transfers on an I2C bus would break.
+void TestDeviceDiscovery::scan_chipHeldElsewhere_isNotOpenedUntilItIsFree()
+{
+    Bridge bridge;
+    GyroModel gyro("L3GD20H", bridge.clock);
+    bridge.wires.attach(0x6B, gyro);
+    const auto board = *SimulatedBoard::create(quickBoard(1.0));
+    MadeUpDevices devices;
+    devices.plugIn(native("A", "p1"), [&] { return SimulatedBridge::open(board); });
+    devices.plugIn(at(0x04D8, 0x00DD, "S1", "p2"),
+                   [&]() -> Result<std::unique_ptr<HidTransport>> { return makeChip("MCP2221A", bridge); });
+    bool held = true;
+    HidAccess access = devices.access(&board->clock());
+    access.heldElsewhere = [&held](const HidIdentity &) { return held; };
+    DeviceScanner scanner(access);
+    const DeviceList list = scanner.scan();
+    QVERIFY(list[1].usable());
+    QCOMPARE(list[2].status.error().code, Errc::DeviceInUse);
+    QCOMPARE(devices.opened, 1);
+    QCOMPARE(bridge.wires.transfers(), 0);
+    held = false;
+    QVERIFY(scanner.scan()[2].usable());
 }
 
 void TestDeviceDiscovery::scan_sysfsTree_isRead()

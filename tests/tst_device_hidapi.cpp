@@ -2,17 +2,23 @@
 // the rule.
 #include "device/bridge/bridge_protocol.h"
 #include "device/hidapi_transport.h"
+#include "device/node_holders.h"
+#include "device/udev_rule.h"
 #include "support/test_data.h"
 
 #include <QDir>
 #include <QFile>
+#include <QProcess>
 #include <QRegularExpression>
 #include <QTest>
 
+#include <filesystem>
+#include <fstream>
 #include <unistd.h>
 
 using namespace driftbench;
 using namespace driftbench::test;
+namespace fs = std::filesystem;
 
 class TestDeviceHidapi : public QObject
 {
@@ -23,6 +29,10 @@ private slots:
     void open_noHidDevice_isRefused();
     void open_notPermitted_namesTheRule();
     void list_everyDevice_hasAPath();
+    void isHeldElsewhere_onlyWhileAnotherProgramHasItOpen();
+    void udevRuleHint_ruleInstalled_saysHowToBringItIntoForce();
+    void udevRuleHint_ruleBesideTheProgram_namesIt();
+    void udevRuleHint_ruleNowhere_namesItsFile();
     void udevRule_everyLine_isMatchedAndSortsEarly();
 };
 
@@ -34,6 +44,18 @@ Error openError(const std::string &path)
     identity.path = path;
     const auto device = openHidDevice(identity);
     return device ? Error{Errc::Cancelled, "It was opened."} : device.error();
+}
+
+fs::path putRule(const fs::path &folder)
+{
+    fs::create_directories(folder);
+    std::ofstream(folder / "70-driftbench.rules") << "# empty\n";
+    return folder / "70-driftbench.rules";
+}
+
+bool contains(const std::string &text, const std::string &part)
+{
+    return text.find(part) != std::string::npos;
 }
 
 } // namespace
@@ -66,6 +88,54 @@ void TestDeviceHidapi::list_everyDevice_hasAPath()
 {
     for (const HidIdentity &device : listHidDevices())
         QVERIFY(!device.path.empty());
+}
+
+void TestDeviceHidapi::isHeldElsewhere_onlyWhileAnotherProgramHasItOpen()
+{
+    const fs::path node = fs::canonical(scratchFolder()) / "held";
+    std::ofstream ours(node);
+    QVERIFY(!isHeldElsewhere(node));
+    QProcess other;
+    other.start("sh", {"-c", "exec 3<\"$0\"; echo open; read line", QString::fromStdString(node.string())});
+    QVERIFY(other.waitForReadyRead());
+    QVERIFY(isHeldElsewhere(node));
+    other.write("\n");
+    QVERIFY(other.waitForFinished());
+    QVERIFY(!isHeldElsewhere(node));
+}
+
+void TestDeviceHidapi::udevRuleHint_ruleInstalled_saysHowToBringItIntoForce()
+{
+    for (const char *folder : {"usr/lib/udev/rules.d", "usr/local/lib/udev/rules.d", "etc/udev/rules.d"}) {
+        const fs::path root = scratchFolder() / "installed" / fs::path(folder).begin()->string() / folder;
+        const fs::path rule = putRule(root / folder);
+        const std::string hint = udevRuleHint(root, root / "usr/bin/driftbench-cli");
+        QVERIFY2(contains(hint, rule.string()), hint.c_str());
+        QVERIFY(contains(hint, "udevadm control --reload") && !contains(hint, "copy"));
+    }
+}
+
+void TestDeviceHidapi::udevRuleHint_ruleBesideTheProgram_namesIt()
+{
+    const fs::path none = scratchFolder() / "empty root";
+    const fs::path prefix = scratchFolder() / "prefix";
+    const fs::path sources = scratchFolder() / "sources";
+    const fs::path installed = putRule(prefix / "lib/udev/rules.d");
+    const fs::path source = putRule(sources / "resources");
+    const std::string fromPrefix = udevRuleHint(none, prefix / "bin/driftbench-cli");
+    QVERIFY2(contains(fromPrefix, "copy") && contains(fromPrefix, installed.string()), fromPrefix.c_str());
+    const std::string fromBuild = udevRuleHint(none, sources / "build/release/bin/driftbench-cli");
+    QVERIFY2(contains(fromBuild, "copy") && contains(fromBuild, source.string()), fromBuild.c_str());
+}
+
+void TestDeviceHidapi::udevRuleHint_ruleNowhere_namesItsFile()
+{
+    const fs::path none = scratchFolder() / "empty root";
+    for (const fs::path &program : {none / "bin/driftbench-cli", fs::path()}) {
+        const std::string hint = udevRuleHint(none, program);
+        QVERIFY(contains(hint, "copy the udev rule 70-driftbench.rules") &&
+                contains(hint, "/etc/udev/rules.d"));
+    }
 }
 
 void TestDeviceHidapi::udevRule_everyLine_isMatchedAndSortsEarly()

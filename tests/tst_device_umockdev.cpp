@@ -9,6 +9,8 @@
 
 #include <QTest>
 
+#include <cerrno>
+
 using namespace driftbench;
 using namespace driftbench::test;
 
@@ -30,6 +32,8 @@ private slots:
     void configure_refusalStalledOnTheBus_isRefusedWithTheReason();
     void getFeature_unknownReport_isRefused();
     void exchange_unplugged_saysSo();
+    void exchange_cutOffByTheCable_isUnplugged();
+    void exchange_damagedButStillThere_isRefused();
     void upload_wholeTable_isInUseAndReadsBack();
     void upload_otherSensor_isRefused();
     void upload_unpluggedAtEveryExchange_oldOrNewWhole();
@@ -204,6 +208,33 @@ void TestDeviceUmockdev::exchange_unplugged_saysSo()
     report[0] = BRIDGE_REPORT_CONFIG;
     QCOMPARE(device->sendFeature(std::span(report).first(64)).error().code, Errc::DeviceUnplugged);
     QCOMPARE(device->read(report, std::chrono::milliseconds(100)).error().code, Errc::DeviceUnplugged);
+}
+
+// The kernel's words are those of a bad exchange; the end of the device follows.
+void TestDeviceUmockdev::exchange_cutOffByTheCable_isUnplugged()
+{
+    for (const bool taken : {false, true}) {
+        Bench bench;
+        const auto device = bench.open();
+        bench.mock.failWith(EIO);
+        bench.board->inject([](SimulatedFaults &faults) { faults.unplugAtExchange(0); });
+        std::array<std::uint8_t, 64> report{BRIDGE_REPORT_CONFIG};
+        const Error error = taken ? device->sendFeature(report).error() : device->getFeature(report).error();
+        QVERIFY2(error.code == Errc::DeviceUnplugged, error.message.c_str());
+    }
+}
+
+void TestDeviceUmockdev::exchange_damagedButStillThere_isRefused()
+{
+    Bench bench;
+    const auto device = bench.open();
+    bench.mock.failWith(EIO);
+    std::array<std::uint8_t, 65> report{0x55};
+    const Error error = device->getFeature(report).error();
+    QCOMPARE(error.code, Errc::DeviceRefused);
+    QVERIFY(error.message.find("Input/output error") != std::string::npos);
+    report[0] = BRIDGE_REPORT_INFO;
+    QVERIFY(device->getFeature(report).ok());
 }
 
 void TestDeviceUmockdev::upload_wholeTable_isInUseAndReadsBack()

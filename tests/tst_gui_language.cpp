@@ -317,31 +317,33 @@ void TestGuiLanguage::language_switched_reachesEveryText()
     QVERIFY(numbers > 20);
 }
 
-// Whatever is drawn and not a widget's text, titles of axes for one, is in the picture.
+// Whatever is drawn and not a widget's text, numbers and titles of axes for one, is in the picture. On the
+// pages that show nothing live.
 void TestGuiLanguage::language_switched_looksAsStartedInIt()
 {
-    std::map<QString, QImage> pictures;
+    QApplication::setCursorFlashTime(0);
+    const auto picture = [](GuiWindow &window, Step step) {
+        window.main().showStep(step);
+        const auto &compare = static_cast<ComparePage &>(*window.main().page(Step::Compare));
+        if (step == Step::Compare &&
+            !QTest::qWaitFor([&] { return !compare.plots().isEmpty(); }, kTrainingPatienceMs))
+            qFatal("the page has no plots");
+        QTest::qWait(150);
+        return window.main().page(step)->grab().toImage();
+    };
+    std::map<Step, QImage> switched;
     switchTo("en");
     switchTo("de");
-    walkPages(*m_window, [&](const QString &page) { pictures[page] = m_window->main().grab().toImage(); });
+    for (const Step step : {Step::Plan, Step::Compare})
+        switched[step] = picture(*m_window, step);
     m_window.reset();
-    QStringList different;
     {
         GuiWindow window(settingsIn("de"));
         openIn(window);
-        walkPages(window, [&](const QString &page) {
-            const QImage started = window.main().grab().toImage();
-            if (started == pictures[page])
-                return;
-            different << page;
-            started.save(m_folder.filePath(page + "-started.png"));
-            pictures[page].save(m_folder.filePath(page + "-switched.png"));
-        });
+        for (const auto &[step, seen] : switched)
+            QVERIFY2(picture(window, step) == seen, qPrintable(QString("page %1").arg(int(step) + 1)));
     }
-    m_folder.setAutoRemove(different.isEmpty());
     m_window = std::make_unique<GuiWindow>();
-    QVERIFY2(different.isEmpty(),
-             qPrintable("pages " + different.join(", ") + ", pictures in " + m_folder.path()));
 }
 
 void TestGuiLanguage::menus_mnemonics_areUnique()

@@ -63,6 +63,26 @@
         <source>Written to the spare bank, read back, verified, and only then made active. Cut off anywhere, the old table stays.</source>
         <translation>In die Reservebank geschrieben, rückgelesen, verifiziert und erst dann aktiviert. Bei Abbruch an beliebiger Stelle bleibt die alte Tabelle.</translation>
     </message>
+    <message>
+        <source>That did not work; the page says why. Try again, or skip it.</source>
+        <translation>Das ging nicht; die Seite sagt, warum. Wiederholen oder überspringen.</translation>
+    </message>
+    <message>
+        <source>No bridge is chosen; choose the simulated one on the Source page.</source>
+        <translation>Keine Bridge gewählt; auf der Seite Quelle die simulierte wählen.</translation>
+    </message>
+    <message>
+        <source>The training ended without a model. Try again, or skip it.</source>
+        <translation>Das Training endete ohne Modell. Wiederholen oder überspringen.</translation>
+    </message>
+    <message>
+        <source>There is no model to write; go back to Train, or end the tour.</source>
+        <translation>Kein Modell zum Schreiben; zurück zu Trainieren oder die Tour beenden.</translation>
+    </message>
+    <message>
+        <source>The device computed something else with the new table and has its old one again. Try again, or skip it.</source>
+        <translation>Das Gerät rechnete mit der neuen Tabelle anders und hat wieder die alte. Wiederholen oder überspringen.</translation>
+    </message>
 </context>
 <context>
     <name>Step</name>
@@ -427,6 +447,10 @@
     <message>
         <source>End tour</source>
         <translation>Tour beenden</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Wiederholen</translation>
     </message>
 </context>
 <context>

@@ -17,7 +17,7 @@
     </message>
     <message>
         <source>From −40 to 85 °C in steps that the datasheets allow. The tour takes three runs instead of five; each is judged by a model of the others.</source>
-        <translation>De −40 à 85 °C par échelons que permettent les fiches techniques. La visite prend trois essais au lieu de cinq ; chacun est évalué par un modèle des autres.</translation>
+        <translation>De −40 à 85 °C par échelons que permettent les fiches techniques. La visite prend trois essais au lieu de cinq&#x202f;; chacun est évalué par un modèle des autres.</translation>
     </message>
     <message>
         <source>Record the runs.</source>
@@ -37,7 +37,7 @@
     </message>
     <message>
         <source>Each dot is a sample: its error against the temperature. Where they lie on one curve, a table can remove it.</source>
-        <translation>Chaque point est un échantillon : son erreur selon la température. Là où les points suivent une seule courbe, une table peut l’éliminer.</translation>
+        <translation>Chaque point est un échantillon&#x202f;: son erreur selon la température. Là où les points suivent une seule courbe, une table peut l’éliminer.</translation>
     </message>
     <message>
         <source>Train the models.</source>
@@ -53,7 +53,7 @@
     </message>
     <message>
         <source>For each axis: write the table, only a constant, or nothing, with the reason.</source>
-        <translation>Pour chaque axe : écrire la table, seulement une constante, ou rien, avec le motif.</translation>
+        <translation>Pour chaque axe&#x202f;: écrire la table, seulement une constante, ou rien, avec le motif.</translation>
     </message>
     <message>
         <source>Write the table into the device.</source>
@@ -62,6 +62,26 @@
     <message>
         <source>Written to the spare bank, read back, verified, and only then made active. Cut off anywhere, the old table stays.</source>
         <translation>Écrite dans la banque libre, relue, vérifiée, et seulement alors activée. En cas de coupure, l’ancienne table reste.</translation>
+    </message>
+    <message>
+        <source>That did not work; the page says why. Try again, or skip it.</source>
+        <translation>Cela n’a pas marché&#x202f;; la page dit pourquoi. Réessayer ou passer.</translation>
+    </message>
+    <message>
+        <source>No bridge is chosen; choose the simulated one on the Source page.</source>
+        <translation>Aucun pont choisi&#x202f;; choisir le pont simulé à la page Source.</translation>
+    </message>
+    <message>
+        <source>The training ended without a model. Try again, or skip it.</source>
+        <translation>L’entraînement s’est terminé sans modèle. Réessayer ou passer.</translation>
+    </message>
+    <message>
+        <source>There is no model to write; go back to Train, or end the tour.</source>
+        <translation>Aucun modèle à écrire&#x202f;; revenir à Entraîner ou quitter la visite.</translation>
+    </message>
+    <message>
+        <source>The device computed something else with the new table and has its old one again. Try again, or skip it.</source>
+        <translation>L’appareil calculait autrement avec la nouvelle table et a repris l’ancienne. Réessayer ou passer.</translation>
     </message>
 </context>
 <context>
@@ -311,7 +331,7 @@
     </message>
     <message>
         <source>%1 chosen</source>
-        <translation>choix : %1</translation>
+        <translation>choix&#x202f;: %1</translation>
     </message>
     <message>
         <source>RBF, temperature blocks left out</source>
@@ -428,6 +448,10 @@
         <source>End tour</source>
         <translation>Quitter la visite</translation>
     </message>
+    <message>
+        <source>Try again</source>
+        <translation>Réessayer</translation>
+    </message>
 </context>
 <context>
     <name>driftbench::ComparePage</name>
@@ -485,7 +509,7 @@
     </message>
     <message>
         <source>Train a model first; its runs must be readable.</source>
-        <translation>Entraîner d’abord un modèle ; ses essais doivent être lisibles.</translation>
+        <translation>Entraîner d’abord un modèle&#x202f;; ses essais doivent être lisibles.</translation>
     </message>
     <message>
         <source>Report written to %1.</source>
@@ -525,7 +549,7 @@
     </message>
     <message>
         <source>%1 of 3 axes: yes</source>
-        <translation>%1/3 axes : oui</translation>
+        <translation>%1/3 axes&#x202f;: oui</translation>
     </message>
     <message>
         <source>1, 2, 3 choose the held-out run · Wheel zoom · Drag pan · Double-click fit · Ctrl+E export what is visible</source>
@@ -540,11 +564,11 @@
     </message>
     <message>
         <source>Judged: anchored</source>
-        <translation>Évaluation : ancrée</translation>
+        <translation>Évaluation&#x202f;: ancrée</translation>
     </message>
     <message>
         <source>Judged: absolute</source>
-        <translation>Évaluation : absolue</translation>
+        <translation>Évaluation&#x202f;: absolue</translation>
     </message>
     <message>
         <source>Limit</source>
@@ -552,7 +576,7 @@
     </message>
     <message>
         <source>What may be left on a held-out run, rms. Zero: no limit.</source>
-        <translation>Reste admis sur un essai réservé, rms. Zéro : pas de limite.</translation>
+        <translation>Reste admis sur un essai réservé, rms. Zéro&#x202f;: pas de limite.</translation>
     </message>
     <message>
         <source>Absolute</source>
@@ -795,13 +819,13 @@ aucune</translation>
     </message>
     <message>
         <source>Rolled back: %1 of %2 samples differ from what the host computes, by up to %3 dps.</source>
-        <translation>Retour arrière : %1 échantillons sur %2 diffèrent du calcul de l’hôte, de %3 dps au plus.</translation>
+        <translation>Retour arrière&#x202f;: %1 échantillons sur %2 diffèrent du calcul de l’hôte, de %3 dps au plus.</translation>
     </message>
     <message numerus="yes">
         <source>Verified at work: %n sample(s) compared with what the host computes, none differs.</source>
         <translation>
-            <numerusform>Vérifiée à l’œuvre : %n échantillon comparé au calcul de l’hôte, sans écart.</numerusform>
-            <numerusform>Vérifiée à l’œuvre : %n échantillons comparés au calcul de l’hôte, sans écart.</numerusform>
+            <numerusform>Vérifiée à l’œuvre&#x202f;: %n échantillon comparé au calcul de l’hôte, sans écart.</numerusform>
+            <numerusform>Vérifiée à l’œuvre&#x202f;: %n échantillons comparés au calcul de l’hôte, sans écart.</numerusform>
         </translation>
     </message>
     <message>
@@ -854,7 +878,7 @@ aucune</translation>
     </message>
     <message>
         <source>No table is in use any more; the device sends raw rates.</source>
-        <translation>Plus aucune table n’est en service ; l’appareil envoie des vitesses brutes.</translation>
+        <translation>Plus aucune table n’est en service&#x202f;; l’appareil envoie des vitesses brutes.</translation>
     </message>
     <message>
         <source>The table was taken out of use.</source>
@@ -922,7 +946,7 @@ aucune</translation>
     </message>
     <message>
         <source>no image: see Files</source>
-        <translation>pas d’image : voir Fichiers</translation>
+        <translation>pas d’image&#x202f;: voir Fichiers</translation>
     </message>
     <message>
         <source>On the device now</source>
@@ -1129,7 +1153,7 @@ aucune</translation>
     </message>
     <message>
         <source>Into the spare bank; the one in use stays until the end</source>
-        <translation>Dans la banque libre ; celle en service reste jusqu’à la fin</translation>
+        <translation>Dans la banque libre&#x202f;; celle en service reste jusqu’à la fin</translation>
     </message>
     <message>
         <source>There is no table to write</source>
@@ -1206,7 +1230,7 @@ aucune</translation>
     </message>
     <message>
         <source>Takes the table out of use; the one before it takes over</source>
-        <translation>Met la table hors service ; la précédente prend le relais</translation>
+        <translation>Met la table hors service&#x202f;; la précédente prend le relais</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -1289,7 +1313,7 @@ aucune</translation>
     </message>
     <message>
         <source>cubic only: up to %1 mdps off on %2, %3 rms</source>
-        <translation>cubique seule : écart max. %1 mdps sur %2, %3 rms</translation>
+        <translation>cubique seule&#x202f;: écart max. %1 mdps sur %2, %3 rms</translation>
     </message>
     <message>
         <source>%1 of %2 chosen</source>
@@ -1348,7 +1372,7 @@ aucune</translation>
     </message>
     <message>
         <source>Axes whose verdict is not yes are left out unless this is on; the files say so.</source>
-        <translation>Les axes dont le verdict n’est pas oui sont omis, sauf si cette option est active ; les fichiers l’indiquent.</translation>
+        <translation>Les axes dont le verdict n’est pas oui sont omis, sauf si cette option est active&#x202f;; les fichiers l’indiquent.</translation>
     </message>
     <message>
         <source>Largest error</source>
@@ -1360,7 +1384,7 @@ aucune</translation>
     </message>
     <message>
         <source>By which PX4 knows the gyro again: its parameter TC_G0_ID. Empty: the serial number.</source>
-        <translation>Par lequel PX4 reconnaît le gyromètre : son paramètre TC_G0_ID. Vide : le numéro de série.</translation>
+        <translation>Par lequel PX4 reconnaît le gyromètre&#x202f;: son paramètre TC_G0_ID. Vide&#x202f;: le numéro de série.</translation>
     </message>
 </context>
 <context>
@@ -1387,7 +1411,7 @@ aucune</translation>
     </message>
     <message>
         <source>%1: hysteresis</source>
-        <translation>%1 : hystérésis</translation>
+        <translation>%1&#x202f;: hystérésis</translation>
     </message>
     <message>
         <source>Session</source>
@@ -1419,7 +1443,7 @@ aucune</translation>
     </message>
     <message>
         <source>Large: looked at when opened</source>
-        <translation>Volumineux : examiné à l’ouverture</translation>
+        <translation>Volumineux&#x202f;: examiné à l’ouverture</translation>
     </message>
     <message>
         <source>Can&apos;t be read</source>
@@ -1494,7 +1518,7 @@ aucune</translation>
     </message>
     <message>
         <source>The gyro can&apos;t say it itself; it keeps runs of different gyros apart.</source>
-        <translation>Le gyromètre ne peut pas le dire lui-même ; il distingue les essais de gyromètres différents.</translation>
+        <translation>Le gyromètre ne peut pas le dire lui-même&#x202f;; il distingue les essais de gyromètres différents.</translation>
     </message>
 </context>
 <context>
@@ -1688,7 +1712,7 @@ aucune</translation>
     </message>
     <message>
         <source>%1: hysteresis</source>
-        <translation>%1 : hystérésis</translation>
+        <translation>%1&#x202f;: hystérésis</translation>
     </message>
     <message>
         <source>Drag in the time strip to select · Delete exclude · Ctrl+Z undo · X, Y, Z choose the axis · Double-click fit</source>
@@ -1942,13 +1966,13 @@ dps</translation>
     </message>
     <message>
         <source>%1: samples missing, %2</source>
-        <translation>%1 : échantillons manquants, %2</translation>
+        <translation>%1&#x202f;: échantillons manquants, %2</translation>
     </message>
     <message numerus="yes">
         <source>%1: %n samples dropped, %2</source>
         <translation>
-            <numerusform>%1 : %n échantillon perdu, %2</numerusform>
-            <numerusform>%1 : %n échantillons perdus, %2</numerusform>
+            <numerusform>%1&#x202f;: %n échantillon perdu, %2</numerusform>
+            <numerusform>%1&#x202f;: %n échantillons perdus, %2</numerusform>
         </translation>
     </message>
 </context>
@@ -2271,7 +2295,7 @@ dps</translation>
     </message>
     <message>
         <source>&amp;Undo: %1</source>
-        <translation>&amp;Annuler : %1</translation>
+        <translation>&amp;Annuler&#x202f;: %1</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
@@ -2279,7 +2303,7 @@ dps</translation>
     </message>
     <message>
         <source>&amp;Redo: %1</source>
-        <translation>&amp;Rétablir : %1</translation>
+        <translation>&amp;Rétablir&#x202f;: %1</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -2299,7 +2323,7 @@ dps</translation>
     </message>
     <message>
         <source>Wheel|Zoom at the mouse; over an axis, that axis</source>
-        <translation>Molette|Zoom à la souris ; sur un axe, cet axe</translation>
+        <translation>Molette|Zoom à la souris&#x202f;; sur un axe, cet axe</translation>
     </message>
     <message>
         <source>Drag|Move</source>
@@ -2367,7 +2391,7 @@ dps</translation>
     </message>
     <message>
         <source>Session: %1</source>
-        <translation>Session : %1</translation>
+        <translation>Session&#x202f;: %1</translation>
     </message>
     <message>
         <source>%1 · read-only</source>
@@ -2391,7 +2415,7 @@ dps</translation>
     </message>
     <message>
         <source>Gap from %1 to %2 s: %3.</source>
-        <translation>Lacune de %1 à %2 s : %3.</translation>
+        <translation>Lacune de %1 à %2 s&#x202f;: %3.</translation>
     </message>
     <message>
         <source>Session restored.</source>
@@ -2403,7 +2427,7 @@ dps</translation>
     </message>
     <message>
         <source>It has no name yet; Save gives it one.</source>
-        <translation>Elle n’a pas encore de nom ; Enregistrer lui en donne un.</translation>
+        <translation>Elle n’a pas encore de nom&#x202f;; Enregistrer lui en donne un.</translation>
     </message>
     <message>
         <source>Quit Driftbench</source>
@@ -2688,11 +2712,11 @@ dps²</translation>
     </message>
     <message>
         <source>In SI, °C; in SI, kelvin</source>
-        <translation>En SI, °C ; en SI, kelvin</translation>
+        <translation>En SI, °C&#x202f;; en SI, kelvin</translation>
     </message>
     <message>
         <source>%1; %2</source>
-        <translation>%1 ; %2</translation>
+        <translation>%1&#x202f;; %2</translation>
     </message>
     <message>
         <source>Slowest mode of a %1 m cube, still air</source>
@@ -2890,7 +2914,7 @@ dps²</translation>
     </message>
     <message>
         <source>A step of %1 is shorter than still air needs to settle: %2.</source>
-        <translation>Un échelon de %1 est plus court que la stabilisation en air calme : %2.</translation>
+        <translation>Un échelon de %1 est plus court que la stabilisation en air calme&#x202f;: %2.</translation>
     </message>
     <message>
         <source>Stir the air, or place the thermometer on the sensor.</source>
@@ -3224,7 +3248,7 @@ dps²</translation>
     </message>
     <message>
         <source>Make room on it; recording goes on in memory.</source>
-        <translation>Y libérer de la place ; l’acquisition continue en mémoire.</translation>
+        <translation>Y libérer de la place&#x202f;; l’acquisition continue en mémoire.</translation>
     </message>
     <message>
         <source>All samples are on the disk again.</source>
@@ -3268,7 +3292,7 @@ dps²</translation>
     </message>
     <message>
         <source>Look at the cable and the bridge; the run goes on as soon as they come again.</source>
-        <translation>Vérifier le câble et le pont ; l’essai continue dès que les échantillons reviennent.</translation>
+        <translation>Vérifier le câble et le pont&#x202f;; l’essai continue dès que les échantillons reviennent.</translation>
     </message>
     <message>
         <source>Run %1 of %2</source>
@@ -3307,7 +3331,7 @@ dps²</translation>
     </message>
     <message>
         <source>Record the next run from: %1.</source>
-        <translation>Acquérir le prochain essai depuis : %1.</translation>
+        <translation>Acquérir le prochain essai depuis&#x202f;: %1.</translation>
     </message>
     <message>
         <source>Choose a source, then record a run.</source>
@@ -3481,11 +3505,11 @@ dps²</translation>
     </message>
     <message>
         <source>rms of 10 s means, before and after:</source>
-        <translation>rms des moyennes sur 10 s, avant et après :</translation>
+        <translation>rms des moyennes sur 10 s, avant et après&#x202f;:</translation>
     </message>
     <message>
         <source>%1: %2 and %3 dps</source>
-        <translation>%1 : %2 et %3 dps</translation>
+        <translation>%1&#x202f;: %2 et %3 dps</translation>
     </message>
     <message>
         <source>last gap %1</source>
@@ -3520,7 +3544,7 @@ dps²</translation>
     </message>
     <message>
         <source>Run %1: ΔT, ΔT² and √ΔT, and the temperature drift error (TDE) of each axis.</source>
-        <translation>Essai %1 : ΔT, ΔT² et √ΔT, et l’erreur de dérive thermique (TDE) de chaque axe.</translation>
+        <translation>Essai %1&#x202f;: ΔT, ΔT² et √ΔT, et l’erreur de dérive thermique (TDE) de chaque axe.</translation>
     </message>
     <message>
         <source>TDE of %1 against each temperature quantity</source>
@@ -3528,7 +3552,7 @@ dps²</translation>
     </message>
     <message>
         <source>All runs, with the curves fitted to them; below, what the fitted curve leaves. Where heating and cooling part, no curve of temperature follows.</source>
-        <translation>Tous les essais, avec leurs courbes ajustées ; en dessous, ce que laisse la courbe ajustée. Là où chauffe et refroidissement se séparent, aucune courbe de température ne peut suivre.</translation>
+        <translation>Tous les essais, avec leurs courbes ajustées&#x202f;; en dessous, ce que laisse la courbe ajustée. Là où chauffe et refroidissement se séparent, aucune courbe de température ne peut suivre.</translation>
     </message>
     <message>
         <source>Run %1 before and after compensation</source>
@@ -3536,7 +3560,7 @@ dps²</translation>
     </message>
     <message>
         <source>The model has not seen this run. Mean, and lowest to highest, of each stretch of time; rms about the reference rate.</source>
-        <translation>Le modèle n’a pas vu cet essai. Moyenne, et minimum à maximum, de chaque plage de temps ; rms autour de la vitesse de référence.</translation>
+        <translation>Le modèle n’a pas vu cet essai. Moyenne, et minimum à maximum, de chaque plage de temps&#x202f;; rms autour de la vitesse de référence.</translation>
     </message>
     <message>
         <source>Allan deviation of run %1</source>
@@ -3548,11 +3572,11 @@ dps²</translation>
     </message>
     <message>
         <source>Run %1, held out: what is left, and its Allan deviation</source>
-        <translation>Essai %1, réservé : ce qui reste, et son écart-type d’Allan</translation>
+        <translation>Essai %1, réservé&#x202f;: ce qui reste, et son écart-type d’Allan</translation>
     </message>
     <message>
         <source>Before, less the constant; after, by a model that has not seen this run. Each axis has its own scale.</source>
-        <translation>Avant, moins la constante ; après, par un modèle qui n’a pas vu cet essai. Chaque axe a sa propre échelle.</translation>
+        <translation>Avant, moins la constante&#x202f;; après, par un modèle qui n’a pas vu cet essai. Chaque axe a sa propre échelle.</translation>
     </message>
     <message>
         <source>What is left of the TDE on runs held out</source>
@@ -3568,7 +3592,7 @@ dps²</translation>
     </message>
     <message>
         <source>The smallest number whose loss on data left out is as good as the lowest; below, where the centres stand.</source>
-        <translation>Le plus petit nombre dont la perte sur données réservées est aussi bonne que la plus basse ; en dessous, la position des centres.</translation>
+        <translation>Le plus petit nombre dont la perte sur données réservées est aussi bonne que la plus basse&#x202f;; en dessous, la position des centres.</translation>
     </message>
     <message>
         <source>Simulated data</source>
@@ -3576,7 +3600,7 @@ dps²</translation>
     </message>
     <message>
         <source>%1 held out</source>
-        <translation>%1 : réservé</translation>
+        <translation>%1&#x202f;: réservé</translation>
     </message>
     <message>
         <source>Blocks of temperature held out in turn</source>
@@ -3588,11 +3612,11 @@ dps²</translation>
     </message>
     <message>
         <source>Anchored: the bias at the start of each run is removed</source>
-        <translation>Ancrée : le biais au début de chaque essai est retiré</translation>
+        <translation>Ancrée&#x202f;: le biais au début de chaque essai est retiré</translation>
     </message>
     <message>
         <source>Absolute: the turn-on bias counts</source>
-        <translation>Absolue : le biais à la mise sous tension compte</translation>
+        <translation>Absolue&#x202f;: le biais à la mise sous tension compte</translation>
     </message>
     <message>
         <source>Sensor</source>
@@ -3700,15 +3724,15 @@ dps²</translation>
     </message>
     <message>
         <source>MSD in dps²: mean square of what is left. Q: MSD after over MSD before. Differences: negative where the first named is better. Novel: %1.</source>
-        <translation>MSD en dps² : moyenne des carrés de ce qui reste. Q : MSD après sur MSD avant. Différences : négatives là où le premier nommé est meilleur. Nouveau : %1.</translation>
+        <translation>MSD en dps²&#x202f;: moyenne des carrés de ce qui reste. Q&#x202f;: MSD après sur MSD avant. Différences&#x202f;: négatives là où le premier nommé est meilleur. Nouveau&#x202f;: %1.</translation>
     </message>
     <message>
         <source>Conventional 1 is a line in ΔT, Conventional 2 a BP network 2-10-1, Novel an RBF network on ΔT, ΔT² and √ΔT; cubic is the model of PX4 and ArduPilot, constant the bias alone.</source>
-        <translation>Conventionnel 1 est une droite en ΔT, Conventionnel 2 un réseau BP 2-10-1, Nouveau un réseau RBF sur ΔT, ΔT² et √ΔT ; cubique est le modèle de PX4 et d’ArduPilot, constante le biais seul.</translation>
+        <translation>Conventionnel 1 est une droite en ΔT, Conventionnel 2 un réseau BP 2-10-1, Nouveau un réseau RBF sur ΔT, ΔT² et √ΔT&#x202f;; cubique est le modèle de PX4 et d’ArduPilot, constante le biais seul.</translation>
     </message>
     <message>
         <source>Yes: within the limit and better than the constant on every held-out run. With care: within the limit, but not always better. No: over the limit on any run, or the bias does not repeat.</source>
-        <translation>Oui : dans la limite et meilleur que la constante sur chaque essai réservé. Avec réserve : dans la limite, mais pas toujours meilleur. Non : au-delà de la limite sur au moins un essai, ou biais non répétable.</translation>
+        <translation>Oui&#x202f;: dans la limite et meilleur que la constante sur chaque essai réservé. Avec réserve&#x202f;: dans la limite, mais pas toujours meilleur. Non&#x202f;: au-delà de la limite sur au moins un essai, ou biais non répétable.</translation>
     </message>
     <message>
         <source>Real log</source>
@@ -3728,7 +3752,7 @@ dps²</translation>
     </message>
     <message>
         <source>May this drift be compensated?</source>
-        <translation>Cette dérive peut-elle être compensée ?</translation>
+        <translation>Cette dérive peut-elle être compensée&#x202f;?</translation>
     </message>
     <message>
         <source>Figures</source>
@@ -3744,7 +3768,7 @@ dps²</translation>
     </message>
     <message>
         <source>Each model estimates the rate error as a function of temperature alone and is judged only on runs that it has not seen. %1. The noise floor is the variance within 0.5 °C: what no function of temperature removes. Excess is what a model leaves above it.</source>
-        <translation>Chaque modèle estime l’erreur de vitesse en fonction de la seule température et n’est évalué que sur des essais qu’il n’a pas vus. %1. Le plancher de bruit est la variance dans 0,5 °C : ce qu’aucune fonction de la température n’élimine. L’excès est ce qu’un modèle laisse au-dessus.</translation>
+        <translation>Chaque modèle estime l’erreur de vitesse en fonction de la seule température et n’est évalué que sur des essais qu’il n’a pas vus. %1. Le plancher de bruit est la variance dans 0,5 °C&#x202f;: ce qu’aucune fonction de la température n’élimine. L’excès est ce qu’un modèle laisse au-dessus.</translation>
     </message>
 </context>
 <context>
@@ -3906,7 +3930,7 @@ dps²</translation>
     </message>
     <message>
         <source>How the bias follows the temperature; Combs computes it from the comb capacitors.</source>
-        <translation>Comment le biais suit la température ; Peignes le calcule à partir des condensateurs à peignes.</translation>
+        <translation>Comment le biais suit la température&#x202f;; Peignes le calcule à partir des condensateurs à peignes.</translation>
     </message>
     <message>
         <source>%1, %2 dps</source>
@@ -3914,7 +3938,7 @@ dps²</translation>
     </message>
     <message>
         <source>%1, drift: %2</source>
-        <translation>%1, dérive : %2</translation>
+        <translation>%1, dérive&#x202f;: %2</translation>
     </message>
 </context>
 <context>
@@ -3956,7 +3980,7 @@ dps²</translation>
     </message>
     <message>
         <source>Save this line as 70-driftbench.rules in /etc/udev/rules.d, then unplug the bridge and plug it in again:</source>
-        <translation>Enregistrer cette ligne sous 70-driftbench.rules dans /etc/udev/rules.d, puis débrancher et rebrancher le pont :</translation>
+        <translation>Enregistrer cette ligne sous 70-driftbench.rules dans /etc/udev/rules.d, puis débrancher et rebrancher le pont&#x202f;:</translation>
     </message>
     <message>
         <source>Enter</source>
@@ -4032,7 +4056,7 @@ dps²</translation>
     </message>
     <message>
         <source>Drop log files here: CSV, PX4 ULog, ArduPilot DataFlash. The format is found by content.</source>
-        <translation>Déposer ici des fichiers journaux : CSV, PX4 ULog, ArduPilot DataFlash. Le format est reconnu au contenu.</translation>
+        <translation>Déposer ici des fichiers journaux&#x202f;: CSV, PX4 ULog, ArduPilot DataFlash. Le format est reconnu au contenu.</translation>
     </message>
     <message>
         <source>No files yet</source>
@@ -4052,8 +4076,8 @@ dps²</translation>
     <message numerus="yes">
         <source>%n bridges plugged in, %1 usable</source>
         <translation>
-            <numerusform>%n pont branché, utilisables : %1</numerusform>
-            <numerusform>%n ponts branchés, utilisables : %1</numerusform>
+            <numerusform>%n pont branché, utilisables&#x202f;: %1</numerusform>
+            <numerusform>%n ponts branchés, utilisables&#x202f;: %1</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -4482,11 +4506,11 @@ dps²</translation>
     </message>
     <message>
         <source>As PX4 fits it: medians, 2 000 bins of temperature, a cubic.</source>
-        <translation>Comme PX4 l’ajuste : médianes, 2 000 classes de température, une cubique.</translation>
+        <translation>Comme PX4 l’ajuste&#x202f;: médianes, 2&#x202f;000 classes de température, une cubique.</translation>
     </message>
     <message>
         <source>As ArduPilot fits it: means of 2 s, a cubic about 35 °C.</source>
-        <translation>Comme ArduPilot l’ajuste : moyennes sur 2 s, une cubique autour de 35 °C.</translation>
+        <translation>Comme ArduPilot l’ajuste&#x202f;: moyennes sur 2 s, une cubique autour de 35 °C.</translation>
     </message>
     <message>
         <source>Least squares on ΔT.</source>
@@ -4494,15 +4518,15 @@ dps²</translation>
     </message>
     <message>
         <source>Always in: the others can&apos;t tell every temperature from every other.</source>
-        <translation>Toujours présente : les autres ne distinguent pas toutes les températures entre elles.</translation>
+        <translation>Toujours présente&#x202f;: les autres ne distinguent pas toutes les températures entre elles.</translation>
     </message>
     <message>
         <source>The rate of the temperature is an experiment: it did not survive on recorded runs held out, and no table could hold it. driftbench-cli fit --dynamic measures it.</source>
-        <translation>La vitesse de variation de la température est une expérience : elle n’a pas résisté aux essais réservés réellement acquis, et aucune table ne pourrait la contenir. driftbench-cli fit --dynamic la mesure.</translation>
+        <translation>La vitesse de variation de la température est une expérience&#x202f;: elle n’a pas résisté aux essais réservés réellement acquis, et aucune table ne pourrait la contenir. driftbench-cli fit --dynamic la mesure.</translation>
     </message>
     <message>
         <source>Auto: the smallest number that does as well as the best on runs left out.</source>
-        <translation>Auto : le plus petit nombre qui fait aussi bien que le meilleur sur les essais réservés.</translation>
+        <translation>Auto&#x202f;: le plus petit nombre qui fait aussi bien que le meilleur sur les essais réservés.</translation>
     </message>
     <message>
         <source>Widths of the Gaussians, each half the one before, from the whole span down.</source>
@@ -4510,7 +4534,7 @@ dps²</translation>
     </message>
     <message>
         <source>How many samples&apos; worth of doubt shrinks each Gaussian. More is smoother.</source>
-        <translation>Poids du doute, en échantillons, qui réduit chaque gaussienne. Plus grand : plus lisse.</translation>
+        <translation>Poids du doute, en échantillons, qui réduit chaque gaussienne. Plus grand&#x202f;: plus lisse.</translation>
     </message>
     <message>
         <source>Tanh units in the hidden layer of the BP network.</source>
@@ -4518,11 +4542,11 @@ dps²</translation>
     </message>
     <message>
         <source>Seeded starts of the BP network; the best one counts.</source>
-        <translation>Départs à graine fixée du réseau BP ; le meilleur compte.</translation>
+        <translation>Départs à graine fixée du réseau BP&#x202f;; le meilleur compte.</translation>
     </message>
     <message>
         <source>Same runs, options and seed: the same models, bit for bit.</source>
-        <translation>Mêmes essais, options et graine : les mêmes modèles, bit pour bit.</translation>
+        <translation>Mêmes essais, options et graine&#x202f;: les mêmes modèles, bit pour bit.</translation>
     </message>
     <message>
         <source>Which runs are judged by models that have not seen them.</source>
@@ -4530,7 +4554,7 @@ dps²</translation>
     </message>
     <message>
         <source>Absolute: the turn-on bias counts, as in PX4. Anchored: the bias at the start of each run is removed, as ArduPilot does.</source>
-        <translation>Absolue : le biais à la mise sous tension compte, comme dans PX4. Ancrée : le biais au début de chaque essai est retiré, comme le fait ArduPilot.</translation>
+        <translation>Absolue&#x202f;: le biais à la mise sous tension compte, comme dans PX4. Ancrée&#x202f;: le biais au début de chaque essai est retiré, comme le fait ArduPilot.</translation>
     </message>
     <message>
         <source>Preset</source>
@@ -4644,11 +4668,11 @@ dps²</translation>
     </message>
     <message>
         <source>Shown is what was trained before the last change. Train again.</source>
-        <translation>Affiché : l’état d’avant la dernière modification. Réentraîner.</translation>
+        <translation>Affiché&#x202f;: l’état d’avant la dernière modification. Réentraîner.</translation>
     </message>
     <message>
         <source>Blocks of temperature are held out: one run can&apos;t show that another repeats it.</source>
-        <translation>Des blocs de température sont réservés : un essai seul ne peut pas montrer qu’un autre le répète.</translation>
+        <translation>Des blocs de température sont réservés&#x202f;: un essai seul ne peut pas montrer qu’un autre le répète.</translation>
     </message>
     <message>
         <source>Each run is held out once. Held-out error counts, training error does not.</source>
@@ -4684,7 +4708,7 @@ dps²</translation>
     </message>
     <message>
         <source>Centres: the fewest that do as well as the best on runs left out. Here %1.</source>
-        <translation>Centres : le plus petit nombre qui fait aussi bien que le meilleur sur les essais réservés. Ici %1.</translation>
+        <translation>Centres&#x202f;: le plus petit nombre qui fait aussi bien que le meilleur sur les essais réservés. Ici %1.</translation>
     </message>
     <message>
         <source>Training, %1 %</source>
@@ -4796,7 +4820,7 @@ dps²</translation>
     </message>
     <message>
         <source>Upload, step %1 of 6: %2</source>
-        <translation>Transfert, étape %1 sur 6 : %2</translation>
+        <translation>Transfert, étape %1 sur 6&#x202f;: %2</translation>
     </message>
 </context>
 <context>
@@ -4819,7 +4843,7 @@ dps²</translation>
     </message>
     <message>
         <source>Nothing to write for %1: its bias does not move with temperature.</source>
-        <translation>Rien à écrire pour %1 : son biais ne varie pas avec la température.</translation>
+        <translation>Rien à écrire pour %1&#x202f;: son biais ne varie pas avec la température.</translation>
     </message>
     <message>
         <source>%1 to %2</source>
@@ -4867,7 +4891,7 @@ dps²</translation>
     </message>
     <message>
         <source>Verdict for %1: %2. %3</source>
-        <translation>Verdict pour %1 : %2. %3</translation>
+        <translation>Verdict pour %1&#x202f;: %2. %3</translation>
     </message>
     <message>
         <source>Yes</source>

@@ -63,6 +63,26 @@
         <source>Written to the spare bank, read back, verified, and only then made active. Cut off anywhere, the old table stays.</source>
         <translation>予備バンクに書き込み、読み戻し、照合した後に初めて有効化します。どこで中断しても、旧テーブルが残ります。</translation>
     </message>
+    <message>
+        <source>That did not work; the page says why. Try again, or skip it.</source>
+        <translation>うまくいきませんでした。理由はページにあります。再試行するか、スキップしてください。</translation>
+    </message>
+    <message>
+        <source>No bridge is chosen; choose the simulated one on the Source page.</source>
+        <translation>ブリッジが選択されていません。ソースのページで模擬ブリッジを選択してください。</translation>
+    </message>
+    <message>
+        <source>The training ended without a model. Try again, or skip it.</source>
+        <translation>モデルなしで学習が終わりました。再試行するか、スキップしてください。</translation>
+    </message>
+    <message>
+        <source>There is no model to write; go back to Train, or end the tour.</source>
+        <translation>書き込むモデルがありません。学習に戻るか、ツアーを終了してください。</translation>
+    </message>
+    <message>
+        <source>The device computed something else with the new table and has its old one again. Try again, or skip it.</source>
+        <translation>新しいテーブルでのデバイスの計算結果が異なるため、元のテーブルに戻しました。再試行するか、スキップしてください。</translation>
+    </message>
 </context>
 <context>
     <name>Step</name>
@@ -427,6 +447,10 @@
     <message>
         <source>End tour</source>
         <translation>ツアーを終了</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>再試行</translation>
     </message>
 </context>
 <context>

@@ -63,6 +63,26 @@
         <source>Written to the spare bank, read back, verified, and only then made active. Cut off anywhere, the old table stays.</source>
         <translation>写入备用区，回读，校验，之后才激活。任何时刻中断，旧补偿表均保留。</translation>
     </message>
+    <message>
+        <source>That did not work; the page says why. Try again, or skip it.</source>
+        <translation>未成功，原因见该页。请重试或跳过。</translation>
+    </message>
+    <message>
+        <source>No bridge is chosen; choose the simulated one on the Source page.</source>
+        <translation>未选择桥接器；请在数据源页选择仿真桥接器。</translation>
+    </message>
+    <message>
+        <source>The training ended without a model. Try again, or skip it.</source>
+        <translation>训练结束但没有模型。请重试或跳过。</translation>
+    </message>
+    <message>
+        <source>There is no model to write; go back to Train, or end the tour.</source>
+        <translation>没有可写入的模型；请返回训练或结束导览。</translation>
+    </message>
+    <message>
+        <source>The device computed something else with the new table and has its old one again. Try again, or skip it.</source>
+        <translation>设备用新表的计算结果不符，已恢复旧表。请重试或跳过。</translation>
+    </message>
 </context>
 <context>
     <name>Step</name>
@@ -427,6 +447,10 @@
     <message>
         <source>End tour</source>
         <translation>结束导览</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>重试</translation>
     </message>
 </context>
 <context>

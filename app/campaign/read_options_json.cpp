@@ -1,5 +1,7 @@
 #include "app/campaign/read_options_json.h"
 
+#include "app/campaign/json_optional.h"
+
 #include <nlohmann/json.hpp>
 
 #include <exception>
@@ -11,23 +13,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-template <class T>
-Json orNull(const std::optional<T> &value)
-{
-    return value ? Json(*value) : Json();
-}
-
 template <class Unit>
 Json unitOrNull(const std::optional<Unit> &unit)
 {
     return unit ? Json(std::string(unitName(*unit))) : Json();
-}
-
-template <class T>
-std::optional<T> optionalAt(const Json &json, const char *key)
-{
-    const Json &value = json.at(key);
-    return value.is_null() ? std::nullopt : std::optional<T>(value.get<T>());
 }
 
 // Throws where the object is of another shape.

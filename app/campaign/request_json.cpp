@@ -1,4 +1,5 @@
 #include "app/campaign/campaign_request.h"
+#include "app/campaign/json_optional.h"
 #include "app/campaign/read_options_json.h"
 
 #include <fstream>
@@ -12,12 +13,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-template <class T>
-Json orNull(const std::optional<T> &value)
-{
-    return value ? Json(*value) : Json();
-}
-
 Json qualityToJson(const QualityOptions &quality)
 {
     Json excluded = Json::array();
@@ -27,13 +22,6 @@ Json qualityToJson(const QualityOptions &quality)
             {"mask_bad_rows", quality.maskBadRows},
             {"allow_small_span", quality.allowSmallSpan},
             {"allow_short", quality.allowShort}};
-}
-
-template <class T>
-std::optional<T> optionalAt(const Json &json, const char *key)
-{
-    const Json &value = json.at(key);
-    return value.is_null() ? std::nullopt : std::optional<T>(value.get<T>());
 }
 
 QualityOptions qualityFromJson(const Json &json)

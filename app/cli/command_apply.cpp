@@ -1,12 +1,12 @@
 #include "app/cli/cli_io.h"
 #include "app/cli/command.h"
 #include "app/cli/log_options.h"
+#include "app/cli/model_input.h"
 #include "app/cli/model_range.h"
 #include "app/cli/progress_line.h"
 #include "engine/base/axes.h"
 #include "engine/formats/compensated_csv.h"
 #include "engine/formats/log_reader.h"
-#include "engine/models/model_file.h"
 
 #include <filesystem>
 #include <memory>
@@ -18,7 +18,7 @@ namespace {
 
 struct ApplyArguments
 {
-    std::string model;
+    ModelChoice model;
     std::string in;
     std::string out;
     ReadOptions read;
@@ -29,7 +29,7 @@ struct ApplyArguments
 
 Error wrongSensor(const ApplyArguments &arguments, const TrainedModel &model, const SensorIdentity &measured)
 {
-    return {Errc::ModelOfAnotherSensor, arguments.model + " was trained on " + model.sensor.text() +
+    return {Errc::ModelOfAnotherSensor, arguments.model.file + " was trained on " + model.sensor.text() +
                                             ", but " + arguments.in + " is of " + measured.text() +
                                             "; take that sensor's model, or say --force."};
 }
@@ -37,7 +37,7 @@ Error wrongSensor(const ApplyArguments &arguments, const TrainedModel &model, co
 // The log and the model must still be there when the result is.
 Status checkTarget(const ApplyArguments &arguments)
 {
-    for (const std::string &input : {arguments.in, arguments.model}) {
+    for (const std::string &input : {arguments.in, arguments.model.file}) {
         std::error_code code;
         if (std::filesystem::equivalent(input, arguments.out, code))
             return Error{Errc::InvalidOption,
@@ -64,7 +64,7 @@ Result<ModelRange> lookThrough(const ApplyArguments &arguments, const TrainedMod
     if (measured->contradicts(model.sensor) && !arguments.force)
         return wrongSensor(arguments, model, *measured);
     if (range.wholly() && !arguments.force)
-        return range.refusal(arguments.in, arguments.model);
+        return range.refusal(arguments.in, arguments.model.file);
     return range;
 }
 
@@ -82,23 +82,24 @@ void printNotices(const ApplyArguments &arguments, const TrainedModel &model, co
 
 Status apply(const ApplyArguments &arguments)
 {
-    const auto model = loadModel(arguments.model);
-    if (!model)
-        return model.error();
     if (Status safe = checkTarget(arguments); !safe)
         return safe;
+    const auto input = openModel(arguments.model);
+    if (!input)
+        return input.error();
+    const TrainedModel &model = input->model;
     ProgressLine progress;
-    const auto range = lookThrough(arguments, *model, progress.hook());
+    const auto range = lookThrough(arguments, model, progress.hook());
     if (!range)
         return range.error();
     const auto tde = [&](const Eigen::VectorXd &temperatureC) {
-        return predictAtTemperature(*model, temperatureC).tdeDps;
+        return predictAtTemperature(model, temperatureC).tdeDps;
     };
     const auto written =
         writeCompensatedCsv(arguments.in, arguments.out, arguments.read, tde, progress.hook());
     if (!written)
         return written.error();
-    printNotices(arguments, *model, *range);
+    printNotices(arguments, model, *range);
     printWarnings(arguments.in, written->info.warnings);
     if (arguments.json)
         return printJson({{"out", arguments.out},
@@ -117,9 +118,7 @@ void addApplyCommand(CLI::App &program, Invocation &invocation)
                    "Compensates a log with a saved model: a copy of it with the columns comp_x_dps, "
                    "comp_y_dps, comp_z_dps, the measured rate less the model's, in dps.",
                    "driftbench-cli apply --model fit/models/rbf.json run1.csv compensated.csv");
-    command->add_option("--model", arguments->model, "Model file that fit wrote")
-        ->required()
-        ->type_name("FILE");
+    addModelOptions(*command, arguments->model);
     command->add_option("IN", arguments->in, "Log to compensate")->required();
     command->add_option("OUT", arguments->out, "CSV to write")->required();
     addSensorOption(*command, arguments->sensor);

@@ -1,11 +1,11 @@
 #include "app/cli/cli_io.h"
 #include "app/cli/device_part.h"
 #include "app/cli/device_text.h"
+#include "app/cli/model_input.h"
 #include "app/cli/progress_line.h"
 #include "device/table_upload.h"
 #include "engine/compensation/axis_selection.h"
 #include "engine/exports/device_image.h"
-#include "engine/models/model_file.h"
 
 #include <memory>
 #include <optional>
@@ -17,7 +17,7 @@ namespace {
 struct UploadArguments
 {
     DeviceArguments device;
-    std::string model;
+    ModelChoice model;
     std::string axes;
     std::string kind = "fixed";
     std::string thermometer;
@@ -47,11 +47,8 @@ Result<DeviceThermometer> thermometerNamed(const std::string &name, const Bridge
     return Error{Errc::InvalidOption, "There is no thermometer \"" + name + "\"; say die or external."};
 }
 
-Result<CompensationTable> tableOf(const UploadArguments &arguments)
+Result<CompensationTable> tableOf(const UploadArguments &arguments, const TrainedModel &model)
 {
-    const auto model = loadModel(arguments.model);
-    if (!model)
-        return model.error();
     std::optional<std::array<bool, 3>> wanted;
     if (!arguments.axes.empty()) {
         const auto axes = axesNamed(arguments.axes);
@@ -59,14 +56,39 @@ Result<CompensationTable> tableOf(const UploadArguments &arguments)
             return axes.error();
         wanted = *axes;
     }
-    const auto selection = selectAxes(*model, wanted, arguments.force);
+    const auto selection = selectAxes(model, wanted, arguments.force);
     if (!selection)
         return selection.error();
     for (const std::string &note : selection->notes)
         printNotice(note);
     TableOptions options;
     options.maxInterpolationErrorDps = arguments.boundDps;
-    return makeCompensationTable(*model, selection->compensated, options);
+    return makeCompensationTable(model, selection->compensated, options);
+}
+
+// In the session that the model is of; one that can't be written to does not undo what the device holds.
+Status noteUpload(const UploadArguments &arguments, const ModelInput &input, const BridgeInfo &device,
+                  const TableUploadReport &done)
+{
+    if (!input.session)
+        return {};
+    if (input.session->isReadOnly()) {
+        printNotice("The session does not note the upload: " + input.session->readOnlyReason().toStdString());
+        return {};
+    }
+    UploadRecord made;
+    made.model = input.session->modelId(input.model.name);
+    made.sensor = device.sensor;
+    made.device = arguments.device.choice.device;
+    made.kind = arguments.kind;
+    made.bank = done.bank;
+    made.generation = done.generation;
+    made.bytes = done.bytes;
+    made.crc32 = done.crc;
+    made.verified = true; // else uploadTable had failed
+    made.activated = done.activated;
+    made.outcome = checkText(done);
+    return input.session->addUpload(std::move(made));
 }
 
 Status upload(const UploadArguments &arguments)
@@ -74,7 +96,10 @@ Status upload(const UploadArguments &arguments)
     const auto kind = kindNamed(arguments.kind);
     if (!kind)
         return kind.error();
-    const auto table = tableOf(arguments);
+    const auto input = openModel(arguments.model);
+    if (!input)
+        return input.error();
+    const auto table = tableOf(arguments, input->model);
     if (!table)
         return table.error();
     auto device = connectDevice(arguments.device.choice);
@@ -94,8 +119,11 @@ Status upload(const UploadArguments &arguments)
     }();
     if (!done)
         return done.error();
+    const Status noted = noteUpload(arguments, *input, device->client->info(), *done);
     const Status printed =
         arguments.device.json ? printJson(uploadAsJson(*done)) : printResult(uploadAsText(*done));
+    if (!noted)
+        return noted;
     if (!printed || !done->rolledBack)
         return printed;
     return Error{Errc::TableMismatch,
@@ -114,7 +142,7 @@ void addDeviceUpload(CLI::App &device, Invocation &invocation)
         "compares what the device then sends with the host's own compensation. The table that "
         "was there stays until then, comes back if they differ, and can be had back by rollback.",
         "upload --model fit/models/rbf.json --flash bridge.bin", arguments->device);
-    part->add_option("--model", arguments->model, "Model file that fit wrote")->required()->type_name("FILE");
+    addModelOptions(*part, arguments->model);
     part->add_option("--kind", arguments->kind, "fixed (default) or float: how the device computes")
         ->type_name("NAME");
     part->add_option("--thermometer", arguments->thermometer,

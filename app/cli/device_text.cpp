@@ -136,31 +136,30 @@ Json factsAsJson(const DeviceFacts &facts)
             {"banks", banksAsJson(facts.status)}};
 }
 
-namespace {
-
 std::string checkText(const TableUploadReport &upload)
 {
     if (!upload.check)
         return upload.activated ? "Its compensation was not compared: the device can't send raw samples "
                                   "beside compensated "
-                                  "ones.\n"
+                                  "ones."
                                 : "";
     const CompensationCheck &check = *upload.check;
     if (check.samples == 0)
         return "Nothing could be compared with the host's compensation: " +
                (check.rawSamples > 0 ? "the device sent " + std::to_string(check.rawSamples) +
-                                           " samples raw, the table's thermometer is not read.\n"
-                                     : std::string("no samples came.\n"));
+                                           " samples raw, the table's thermometer is not read."
+                                     : std::string("no samples came."));
     const std::string compared = std::to_string(check.samples) + " samples at " +
                                  forReading(check.lowestC, 2) + " to " + forReading(check.highestC, 2) +
                                  " °C, compared bit for bit with the host's compensation: ";
     if (check.differing > 0)
         return compared + std::to_string(check.differing) + " differ, by " +
-               std::to_string(check.worstCounts) + " counts (" + shortest(check.worstDps) +
-               " dps) at most.\n";
-    return compared + (check.passed() ? "all equal.\n"
-                                      : "all equal, but " + std::to_string(check.wanted) + " were wanted.\n");
+               std::to_string(check.worstCounts) + " counts (" + shortest(check.worstDps) + " dps) at most.";
+    return compared + (check.passed() ? "all equal."
+                                      : "all equal, but " + std::to_string(check.wanted) + " were wanted.");
 }
+
+namespace {
 
 Json checkAsJson(const TableUploadReport &upload)
 {
@@ -181,9 +180,10 @@ std::string uploadAsText(const TableUploadReport &upload)
     const std::string outcome = upload.activated    ? "is in use now"
                                 : upload.rolledBack ? "was rolled back"
                                                     : "is on the device and waits to be activated";
+    const std::string check = checkText(upload);
     return "Before\n" + banksAsText(upload.before) + "After\n" + banksAsText(upload.after) + "The table of " +
            std::to_string(upload.bytes) + " bytes, generation " + std::to_string(upload.generation) +
-           ", reads back as written and " + outcome + ".\n" + checkText(upload);
+           ", reads back as written and " + outcome + ".\n" + check + (check.empty() ? "" : "\n");
 }
 
 Json uploadAsJson(const TableUploadReport &upload)

@@ -25,6 +25,9 @@ nlohmann::ordered_json factsAsJson(const DeviceFacts &facts);
 std::string banksAsText(const BridgeStatus &status);
 nlohmann::ordered_json banksAsJson(const BridgeStatus &status);
 
+// How the device's compensation compares with the host's, in a sentence; empty: not in use, so not compared.
+std::string checkText(const TableUploadReport &upload);
+
 std::string uploadAsText(const TableUploadReport &upload);
 nlohmann::ordered_json uploadAsJson(const TableUploadReport &upload);
 

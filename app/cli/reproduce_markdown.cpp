@@ -77,7 +77,7 @@ std::string rowText(const ReproducedTable &table, const ReproducedRow &row)
     return text;
 }
 
-std::string tableText(const ReproducedTable &table)
+std::string tableAsMarkdown(const ReproducedTable &table)
 {
     std::vector<std::string> head{"", ""};
     for (const PaperColumn &column : table.printed.columns)
@@ -121,7 +121,7 @@ std::string reproductionToMarkdown(const Reproduction &reproduction)
     std::string text = "# The paper's Tables 1 to 6, printed and simulated\n\n";
     text += list(howItWasDone(reproduction));
     for (const ReproducedTable &table : reproduction.tables)
-        text += tableText(table);
+        text += tableAsMarkdown(table);
     text += "\\* does not follow from the printed MSDs.\n\n## Arithmetic of the printed tables\n\n";
     text += list(findingsOfArithmetic(reproduction)) + checkTable(reproduction.checks);
     if (!reproduction.statements.empty()) {

@@ -81,7 +81,7 @@ std::string withoutTrailing(std::string line)
     return line.erase(line.find_last_not_of(' ') + 1) + "\n";
 }
 
-std::string tableText(const ReproducedTable &table)
+std::string tableAsText(const ReproducedTable &table)
 {
     std::string text = "\n" + wrapped("", captionOf(table)) + headOf(table);
     for (const ReproducedRow &row : table.rows) {
@@ -200,7 +200,7 @@ std::string reproductionToText(const Reproduction &reproduction)
     for (const std::string &sentence : howItWasDone(reproduction))
         text += wrapped("", sentence);
     for (const ReproducedTable &table : reproduction.tables)
-        text += tableText(table);
+        text += tableAsText(table);
     return text + arithmetic(reproduction) + simulation(reproduction);
 }
 

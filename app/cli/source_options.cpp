@@ -139,6 +139,27 @@ std::string kindOf(const SourceChoice &choice)
     return text.substr(0, text.find(':'));
 }
 
+// Only options of the source's own kind were given.
+Status fits(const SourceChoice &choice, const SourceArguments &arguments)
+{
+    const std::string kind = kindOf(choice);
+    const auto wrong = [&arguments](const std::string &option, const std::string &its) {
+        return invalid(option + " is for the source " + its + ", and the source is " + arguments.source +
+                       ".");
+    };
+    for (const SourceArguments::ForKind &option : arguments.given) {
+        if (option.kind != kind)
+            return wrong(option.option, option.kind);
+    }
+    for (const CLI::Option *option : arguments.readOptions) {
+        if (option->count() > 0 && kind != "file")
+            return wrong(option->get_name(), "file");
+    }
+    if (!arguments.usbIds.empty() && kind != "hid")
+        return wrong("--usb-id", "hid");
+    return {};
+}
+
 } // namespace
 
 void addSourceOptions(CLI::App &command, SourceArguments &arguments)
@@ -170,6 +191,10 @@ void addSourceOptions(CLI::App &command, SourceArguments &arguments)
     addI2cOptions(command, arguments);
     command.option_defaults()->group("Source file");
     addReadOptions(command, arguments.read);
+    for (const CLI::Option *option : command.get_options()) {
+        if (option->get_group() == "Source file")
+            arguments.readOptions.push_back(option);
+    }
 }
 
 Result<SourceChoice> sourceChoiceOf(const SourceArguments &arguments, const std::optional<TestPlan> &plan)
@@ -177,12 +202,10 @@ Result<SourceChoice> sourceChoiceOf(const SourceArguments &arguments, const std:
     auto choice = parseSourceChoice(arguments.source);
     if (!choice)
         return choice;
-    for (const SourceArguments::ForKind &option : arguments.given) {
-        if (kindOf(*choice) != option.kind)
-            return invalid(option.option + " is for the source " + option.kind + ", and the source is " +
-                           arguments.source + ".");
+    if (const Status ok = fits(*choice, arguments); !ok)
+        return ok.error();
+    for (const SourceArguments::ForKind &option : arguments.given)
         option.set(*choice);
-    }
     choice->rateHz = arguments.rateHz;
     choice->rangeDps = arguments.rangeDps;
     choice->compensate = arguments.compensate;

@@ -29,6 +29,7 @@ struct SourceArguments
     };
     std::vector<ForKind> given;
     ReadOptions read;
+    std::vector<const CLI::Option *> readOptions; // those that fill `read`
 };
 
 void addSourceOptions(CLI::App &command, SourceArguments &arguments);

@@ -30,7 +30,8 @@ namespace driftbench {
 
 // What a page needs beside rail, menu bar and status bar in a window of 1280 x 720; in a smaller one it
 // scrolls.
-static constexpr QSize kLeastPage(1096, 670);
+// At 1280 x 720; where the tour's strip takes height, beside the scroll bar.
+static constexpr QSize kLeastPage(1096 - 14, 670);
 
 MainWindow::MainWindow(AppContext &context, Language &language, QWidget *parent)
     : QMainWindow(parent)
@@ -148,6 +149,11 @@ void MainWindow::buildStart()
     m_tour = new GuidedTour(simulatedTour(*this, m_bench), this);
     m_coach = new CoachStrip(*m_tour);
     m_places->addWidget(m_coach);
+    failWithTheWork(*m_tour, m_bench);
+    for (QAction *action : m_coach->tourActions()) {
+        addAction(action);
+        m_menus->everywhere.push_back(action);
+    }
     connect(m_start, &StartPage::tourChosen, this, &MainWindow::startTour);
     connect(m_start, &StartPage::bridgeChosen, this, [this] { showStep(Step::Source); });
     connect(m_start, &StartPage::filesChosen, this, &MainWindow::askOpen);
@@ -218,12 +224,18 @@ void MainWindow::showStep(Step step)
     m_step = step;
     Page *next = page(step);
     m_stack->setCurrentWidget(next);
+    m_scroll->ensureVisible(0, 0);
     m_rail->setCurrentStep(step);
     next->entered();
     m_menus->steps[static_cast<std::size_t>(step)]->setChecked(true);
     showSessionMenu();
     showUndo();
     showStatus();
+}
+
+void MainWindow::bringIntoView(QWidget &part)
+{
+    m_scroll->ensureWidgetVisible(&part, 0, 0);
 }
 
 void MainWindow::showStateOf(Step step)

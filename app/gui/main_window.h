@@ -42,8 +42,9 @@ public:
     ~MainWindow() override;
 
     void showStep(Step step);
-    void showStart(); // what a newcomer sees first
-    void startTour(); // in a new session
+    void bringIntoView(QWidget &part); // of the page that is shown, where that scrolls
+    void showStart();                  // what a newcomer sees first
+    void startTour();                  // in a new session
     GuidedTour &tour() const { return *m_tour; }
     StartPage &startPage() const { return *m_start; }
     bool isAtStart() const;

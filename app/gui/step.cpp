@@ -4,7 +4,7 @@
 
 namespace driftbench {
 
-static QString text(const char *english)
+static QString stepText(const char *english)
 {
     return QCoreApplication::translate("Step", english);
 }
@@ -13,19 +13,19 @@ QString stepName(Step step)
 {
     switch (step) {
     case Step::Source:
-        return text(QT_TRANSLATE_NOOP("Step", "Source"));
+        return stepText(QT_TRANSLATE_NOOP("Step", "Source"));
     case Step::Plan:
-        return text(QT_TRANSLATE_NOOP("Step", "Plan"));
+        return stepText(QT_TRANSLATE_NOOP("Step", "Plan"));
     case Step::Record:
-        return text(QT_TRANSLATE_NOOP("Step", "Record"));
+        return stepText(QT_TRANSLATE_NOOP("Step", "Record"));
     case Step::Inspect:
-        return text(QT_TRANSLATE_NOOP("Step", "Inspect"));
+        return stepText(QT_TRANSLATE_NOOP("Step", "Inspect"));
     case Step::Train:
-        return text(QT_TRANSLATE_NOOP("Step", "Train"));
+        return stepText(QT_TRANSLATE_NOOP("Step", "Train"));
     case Step::Compare:
-        return text(QT_TRANSLATE_NOOP("Step", "Compare"));
+        return stepText(QT_TRANSLATE_NOOP("Step", "Compare"));
     case Step::Export:
-        return text(QT_TRANSLATE_NOOP("Step", "Export"));
+        return stepText(QT_TRANSLATE_NOOP("Step", "Export"));
     }
     return {};
 }
@@ -34,19 +34,19 @@ QString stepPurpose(Step step)
 {
     switch (step) {
     case Step::Source:
-        return text(QT_TRANSLATE_NOOP("Step", "Choose one"));
+        return stepText(QT_TRANSLATE_NOOP("Step", "Choose one"));
     case Step::Plan:
-        return text(QT_TRANSLATE_NOOP("Step", "Temperature steps"));
+        return stepText(QT_TRANSLATE_NOOP("Step", "Temperature steps"));
     case Step::Record:
-        return text(QT_TRANSLATE_NOOP("Step", "Live traces"));
+        return stepText(QT_TRANSLATE_NOOP("Step", "Live traces"));
     case Step::Inspect:
-        return text(QT_TRANSLATE_NOOP("Step", "Look at the drift"));
+        return stepText(QT_TRANSLATE_NOOP("Step", "Look at the drift"));
     case Step::Train:
-        return text(QT_TRANSLATE_NOOP("Step", "Fit models"));
+        return stepText(QT_TRANSLATE_NOOP("Step", "Fit models"));
     case Step::Compare:
-        return text(QT_TRANSLATE_NOOP("Step", "Judge the fit"));
+        return stepText(QT_TRANSLATE_NOOP("Step", "Judge the fit"));
     case Step::Export:
-        return text(QT_TRANSLATE_NOOP("Step", "Write the table"));
+        return stepText(QT_TRANSLATE_NOOP("Step", "Write the table"));
     }
     return {};
 }

@@ -14,7 +14,7 @@ namespace driftbench {
 static constexpr int kWidth = 184;
 static constexpr int kStepHeight = 48;
 static constexpr int kTop = 8;
-static constexpr int kTextLeft = 44;
+static constexpr int kNameLeft = 44;
 static constexpr int kMarkRight = 9;
 
 void StepModel::setState(Step step, const StepState &state)
@@ -136,7 +136,7 @@ public:
                   index.data(StepModel::IconRole).toString(), color);
         const auto mark = static_cast<StepMark>(index.data(StepModel::MarkRole).toInt());
         const int right = mark == StepMark::None ? 8 : kMarkRight + kSmallIcon + 4;
-        paintTexts(*painter, row.adjusted(kTextLeft, 0, -right, 0), index, current, color, look);
+        paintTexts(*painter, row.adjusted(kNameLeft, 0, -right, 0), index, current, color, look);
         if (const MarkPaint paint = markPaint(mark, look); !paint.icon.isEmpty()) {
             const QRect place(row.right() - kMarkRight - kSmallIcon + 1,
                               row.top() + (row.height() - kSmallIcon) / 2, kSmallIcon, kSmallIcon);

@@ -147,28 +147,30 @@ static BeforeAfterData tracesOf(const ReportData &data, const HeldOutRun &heldOu
     return traces;
 }
 
-static FigureTask beforeAfter(const PreparedFigures &prepared, std::size_t run, const Palette &look)
+using SharedFigures = std::shared_ptr<const PreparedFigures>;
+
+static FigureTask beforeAfter(const SharedFigures &prepared, std::size_t run, const Palette &look)
 {
-    const std::string &name = prepared.heldOut[run].run->features->name;
+    const std::string &name = prepared->heldOut[run].run->features->name;
     return {"fig10_before_after_" + fileNamePart(name),
             ReportText::tr("Run %1 before and after compensation").arg(QString::fromStdString(name)),
             ReportText::tr("The model has not seen this run. Mean, and lowest to highest, of each stretch of "
                            "time; rms about the reference rate."),
             [prepared, run, look] {
                 auto view = std::make_unique<BeforeAfterView>(look);
-                view->setData(tracesOf(*prepared.data, prepared.heldOut[run]));
+                view->setData(tracesOf(*prepared->data, prepared->heldOut[run]));
                 return view;
             }};
 }
 
-static FigureTask allanOf(const PreparedFigures &prepared, std::size_t run, const Palette &look)
+static FigureTask allanOf(const SharedFigures &prepared, std::size_t run, const Palette &look)
 {
-    const std::string &name = prepared.heldOut[run].run->features->name;
+    const std::string &name = prepared->heldOut[run].run->features->name;
     return {"allan_" + fileNamePart(name),
             ReportText::tr("Allan deviation of run %1").arg(QString::fromStdString(name)),
             ReportText::tr("Noise falls with the averaging time, drift rises with it."),
             [prepared, run, look] {
-                const HeldOutRun &heldOut = prepared.heldOut[run];
+                const HeldOutRun &heldOut = prepared->heldOut[run];
                 const RunFeatures &features = *heldOut.run->features;
                 auto view = std::make_unique<AllanView>(look);
                 view->setData({allanDeviation(features.timeS, features.tdeDps),
@@ -178,9 +180,9 @@ static FigureTask allanOf(const PreparedFigures &prepared, std::size_t run, cons
             }};
 }
 
-static FigureTask judgedRun(const PreparedFigures &prepared, std::size_t run, const Palette &look)
+static FigureTask judgedRun(const SharedFigures &prepared, std::size_t run, const Palette &look)
 {
-    const std::string &name = prepared.heldOut[run].run->features->name;
+    const std::string &name = prepared->heldOut[run].run->features->name;
     return {
         "judged_" + fileNamePart(name),
         ReportText::tr("Run %1, held out: what is left, and its Allan deviation")
@@ -189,25 +191,25 @@ static FigureTask judgedRun(const PreparedFigures &prepared, std::size_t run, co
                        "has its own scale."),
         [prepared, run, look] {
             auto view = std::make_unique<JudgedRunView>(look);
-            view->setData({std::make_shared<const JudgedTraces>(prepared.heldOut[run].traces),
-                           prepared.data->limitDps});
+            view->setData({std::make_shared<const JudgedTraces>(prepared->heldOut[run].traces),
+                           prepared->data->limitDps});
             return view;
         }};
 }
 
-static FigureTask residuals(const PreparedFigures &prepared, const Palette &look)
+static FigureTask residuals(const SharedFigures &prepared, const Palette &look)
 {
     return {"residuals", ReportText::tr("What is left of the TDE on runs held out"),
             ReportText::tr("Each run less the model that has not seen it. Lines that are level at zero mean "
                            "that the drift repeats."),
             [prepared, look] {
                 ResidualData shown;
-                shown.referenceTemperatureC = prepared.data->referenceTemperatureC;
-                for (const HeldOutRun &run : prepared.heldOut) {
+                shown.referenceTemperatureC = prepared->data->referenceTemperatureC;
+                for (const HeldOutRun &run : prepared->heldOut) {
                     shown.runs.push_back(run.run->features);
                     shown.residualDps.push_back(run.residualDps);
                 }
-                if (const TrainedModel *main = mainModel(prepared.data->models))
+                if (const TrainedModel *main = mainModel(prepared->data->models))
                     shown.band = main->band;
                 auto view = std::make_unique<ResidualView>(look);
                 view->setData(std::move(shown));
@@ -243,19 +245,19 @@ static FigureTask centres(const std::shared_ptr<const ReportData> &data, const P
             }};
 }
 
-std::vector<FigureTask> figureTasks(const PreparedFigures &prepared, const Palette &look, bool judged)
+std::vector<FigureTask> figureTasks(const SharedFigures &prepared, const Palette &look, bool judged)
 {
     std::vector<FigureTask> tasks;
-    if (!prepared.data->runs.empty())
-        tasks.push_back(tcqOverTime(*prepared.data, look));
+    if (!prepared->data->runs.empty())
+        tasks.push_back(tcqOverTime(*prepared->data, look));
     for (int axis = 0; axis < kAxisCount; ++axis)
-        tasks.push_back(tcqAgainstTde(prepared.data, axis, look));
-    for (std::size_t run = 0; run < prepared.heldOut.size(); ++run)
+        tasks.push_back(tcqAgainstTde(prepared->data, axis, look));
+    for (std::size_t run = 0; run < prepared->heldOut.size(); ++run)
         tasks.push_back(beforeAfter(prepared, run, look));
     tasks.push_back(residuals(prepared, look));
-    for (std::size_t run = 0; run < prepared.heldOut.size(); ++run)
+    for (std::size_t run = 0; run < prepared->heldOut.size(); ++run)
         tasks.push_back(judged ? judgedRun(prepared, run, look) : allanOf(prepared, run, look));
-    tasks.push_back(centres(prepared.data, look));
+    tasks.push_back(centres(prepared->data, look));
     return tasks;
 }
 
@@ -263,10 +265,11 @@ Result<std::vector<WrittenFigure>> writeFigures(const ReportData &data, const Pa
                                                 const std::filesystem::path &folder)
 {
     FigureWriter writer(folder, data.simulated ? ReportText::tr("Simulated data") : QString());
-    const auto prepared = prepareFigures(std::make_shared<const ReportData>(data));
+    auto prepared = prepareFigures(std::make_shared<const ReportData>(data));
     if (!prepared)
         return prepared.error();
-    for (const FigureTask &task : figureTasks(*prepared, look)) {
+    for (const FigureTask &task :
+         figureTasks(std::make_shared<const PreparedFigures>(*std::move(prepared)), look)) {
         const auto view = task.make();
         writer.write(*view, task.stem, task.title, task.caption);
     }

@@ -56,8 +56,8 @@ struct FigureTask
 };
 
 // judged: the held-out runs as the page Compare shows them, beside the rest.
-std::vector<FigureTask> figureTasks(const PreparedFigures &prepared, const Palette &look,
-                                    bool judged = false);
+std::vector<FigureTask> figureTasks(const std::shared_ptr<const PreparedFigures> &prepared,
+                                    const Palette &look, bool judged = false);
 
 // Of the data's first and last fold: "trained on run1, run3".
 QString trainedOnText(const TrainedModel &model);

@@ -218,28 +218,51 @@ ReportDocument reportDocument(const ReportData &data, const QDateTime &made)
     return document;
 }
 
-std::optional<ReportFigure> drawFigure(const FigureTask &task, const ReportDocument &document)
+FigureDrawing::FigureDrawing(FigureTask task, QString origin)
+    : m_task(std::move(task)), m_origin(std::move(origin))
+{
+}
+
+bool FigureDrawing::goOn()
 {
     const FileNumbers numbers;
-    const auto view = task.make();
-    if (view->isEmpty())
-        return std::nullopt;
-    if (document.simulated)
-        view->setOrigin(document.origin);
-    ReportFigure figure{task.title, task.caption, view->figureSize(), QByteArray(), QPicture()};
-    figure.svg = figureAsSvg(*view, figure.size, {task.title, task.caption});
-    figure.picture = figureAsPicture(*view, figure.size);
-    return figure;
+    switch (m_next) {
+    case Part::View:
+        m_view = m_task.make();
+        m_next = m_view->isEmpty() ? Part::Done : m_origin.isEmpty() ? Part::Svg : Part::Origin;
+        return true;
+    case Part::Origin:
+        m_view->setOrigin(m_origin);
+        m_next = Part::Svg;
+        return true;
+    case Part::Svg:
+        m_figure = ReportFigure{m_task.title, m_task.caption, m_view->figureSize(), QByteArray(), QPicture()};
+        m_figure->svg = figureAsSvg(*m_view, m_figure->size, {m_task.title, m_task.caption});
+        m_next = Part::Picture;
+        return true;
+    case Part::Picture:
+        m_figure->picture = figureAsPicture(*m_view, m_figure->size);
+        m_next = Part::Done;
+        return true;
+    case Part::Done:
+        break;
+    }
+    m_view.reset();
+    return false;
 }
 
 Result<ReportDocument> completeReport(const std::shared_ptr<const ReportData> &data, const QDateTime &made)
 {
-    const auto prepared = prepareFigures(data);
+    auto prepared = prepareFigures(data);
     if (!prepared)
         return prepared.error();
     ReportDocument document = reportDocument(*data, made);
-    for (const FigureTask &task : figureTasks(*prepared, lightPalette(), true)) {
-        if (auto figure = drawFigure(task, document))
+    const auto figures = std::make_shared<const PreparedFigures>(*std::move(prepared));
+    for (FigureTask &task : figureTasks(figures, lightPalette(), true)) {
+        FigureDrawing drawing(std::move(task), document.simulated ? document.origin : QString());
+        while (drawing.goOn()) {
+        }
+        if (auto figure = drawing.take())
             document.figures.push_back(std::move(*figure));
     }
     return document;

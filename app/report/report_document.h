@@ -68,8 +68,35 @@ struct ReportDocument
 // All but the figures. In the thread of the application.
 ReportDocument reportDocument(const ReportData &data, const QDateTime &made);
 
-// Nothing where the view has nothing to show. In the thread of the application.
-std::optional<ReportFigure> drawFigure(const FigureTask &task, const ReportDocument &document);
+// One figure, drawn in the thread of the application in parts, so that a window can answer between them.
+//
+//   FigureDrawing drawing(task, document.simulated ? document.origin : QString());
+//   while (drawing.goOn()) {}
+class FigureDrawing
+{
+public:
+    FigureDrawing(FigureTask task, QString origin);
+
+    bool goOn(); // the next part; false: there was none
+    // When it is done; nothing where the view had nothing to show.
+    std::optional<ReportFigure> take() { return std::move(m_figure); }
+
+private:
+    enum class Part
+    {
+        View,
+        Origin,
+        Svg,
+        Picture,
+        Done
+    };
+
+    FigureTask m_task;
+    QString m_origin;
+    Part m_next = Part::View;
+    std::unique_ptr<PlotView> m_view;
+    std::optional<ReportFigure> m_figure;
+};
 
 // All of it at once, for programs without a window.
 Result<ReportDocument> completeReport(const std::shared_ptr<const ReportData> &data, const QDateTime &made);

@@ -6,11 +6,6 @@
 
 namespace driftbench {
 
-static QColor verdictColor(Verdict verdict, const Palette &look)
-{
-    return textColor(TextRole::Note, verdictTone(verdict), look);
-}
-
 // From the element on: an SVG inside a page has no head of its own.
 static QString inlineSvg(const QByteArray &svg)
 {
@@ -36,9 +31,9 @@ static QString cardsOf(const ReportDocument &document, const Palette &look)
         html += QStringLiteral("<div class=\"card\" style=\"border-top-color:%1\"><b>%2</b> "
                                "<b style=\"color:%1\">%3</b> <span class=\"muted\">%4</span><p>%5</p>"
                                "<p class=\"muted\">%6</p></div>")
-                    .arg(verdictColor(card.verdict, look).name(), card.axis.toHtmlEscaped(),
-                         card.word.toHtmlEscaped(), card.passes.toHtmlEscaped(), card.text.toHtmlEscaped(),
-                         card.details.toHtmlEscaped());
+                    .arg(textColor(TextRole::Note, verdictTone(card.verdict), look).name(),
+                         card.axis.toHtmlEscaped(), card.word.toHtmlEscaped(), card.passes.toHtmlEscaped(),
+                         card.text.toHtmlEscaped(), card.details.toHtmlEscaped());
     }
     return html + QStringLiteral("</div>\n");
 }

@@ -1,5 +1,7 @@
 #include "app/session/calibration_plan.h"
 
+#include "app/campaign/json_optional.h"
+
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
@@ -9,16 +11,6 @@ namespace driftbench {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json orNull(const std::optional<double> &value)
-{
-    return value ? Json(*value) : Json();
-}
-
-std::optional<double> optionalAt(const Json &json, const char *key)
-{
-    return json.at(key).is_null() ? std::nullopt : std::optional<double>(json.at(key).get<double>());
-}
 
 Json runsToJson(const CalibrationPlan &plan)
 {
@@ -78,14 +70,14 @@ CalibrationPlan planFrom(const Json &json)
     for (const Json &run : json.at("runs"))
         plan.runs.push_back({run.at("run").get<RunId>(), run.at("takes_part").get<bool>()});
     plan.referenceFromHold = json.at("reference_from_hold").get<bool>();
-    plan.referenceTemperatureC = optionalAt(json, "reference_temperature_C");
+    plan.referenceTemperatureC = optionalAt<double>(json, "reference_temperature_C");
     plan.quality.maskBadRows = json.at("mask_bad_rows").get<bool>();
     plan.quality.allowSmallSpan = json.at("allow_small_span").get<bool>();
     plan.quality.allowShort = json.at("allow_short").get<bool>();
     readTraining(json.at("training"), plan);
     plan.holdOut = json.at("hold_out").get<std::vector<RunId>>();
     plan.judging = judgingFromName(json.at("judging").get<std::string>()).value_or(Judging::Absolute);
-    plan.limitRmsDps = optionalAt(json, "limit_rms_dps");
+    plan.limitRmsDps = optionalAt<double>(json, "limit_rms_dps");
     return plan;
 }
 

@@ -1,5 +1,7 @@
 #include "app/session/export_choice.h"
 
+#include "app/campaign/json_optional.h"
+
 #include <nlohmann/json.hpp>
 
 namespace driftbench {
@@ -7,18 +9,6 @@ namespace driftbench {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-template <class T>
-Json orNull(const std::optional<T> &value)
-{
-    return value ? Json(*value) : Json();
-}
-
-template <class T>
-std::optional<T> optionalAt(const Json &json, const char *key)
-{
-    return json.at(key).is_null() ? std::nullopt : std::optional<T>(json.at(key).get<T>());
-}
 
 // Throws Json::exception where the document is of another shape.
 ExportChoice choiceFrom(const Json &json)

@@ -1,5 +1,6 @@
 #include "app/session/session_source.h"
 
+#include "app/campaign/json_optional.h"
 #include "app/campaign/read_options_json.h"
 
 #include <algorithm>
@@ -11,18 +12,6 @@ namespace driftbench {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-template <class T>
-Json orNull(const std::optional<T> &value)
-{
-    return value ? Json(*value) : Json();
-}
-
-template <class T>
-std::optional<T> optionalAt(const Json &json, const char *key)
-{
-    return json.at(key).is_null() ? std::nullopt : std::optional<T>(json.at(key).get<T>());
-}
 
 // A profile of the house by its name, any other by its steps.
 Json profileToJson(const std::optional<TemperatureProfile> &profile)

@@ -16,18 +16,13 @@ constexpr auto kReadTimeout = 40ms;
 constexpr int kMostDamagedInARow = 16;
 constexpr int kMostDrained = 100000; // reports; a bridge that can't be stopped must not hold us for ever
 
-Error invalid(std::string message)
-{
-    return {Errc::InvalidOption, std::move(message)};
-}
-
 Result<std::uint32_t> chosenRate(const BridgeInfo &info, double rateHz)
 {
     const double milliHz = std::round(rateHz * 1000.0);
     if (!(milliHz >= info.lowestRateMilliHz) || !(milliHz <= info.highestRateMilliHz))
-        return invalid("The bridge samples with " + shortest(info.lowestRateMilliHz / 1000.0) + " to " +
-                       shortest(info.highestRateMilliHz / 1000.0) + " Hz; " + shortest(rateHz) +
-                       " Hz can't be chosen.");
+        return invalidOption("The bridge samples with " + shortest(info.lowestRateMilliHz / 1000.0) + " to " +
+                             shortest(info.highestRateMilliHz / 1000.0) + " Hz; " + shortest(rateHz) +
+                             " Hz can't be chosen.");
     return static_cast<std::uint32_t>(milliHz);
 }
 
@@ -39,8 +34,8 @@ Result<std::uint8_t> chosenRange(const BridgeInfo &info, double rangeDps)
             return static_cast<std::uint8_t>(i);
         known += (known.empty() ? "" : ", ") + std::to_string(info.ranges[i].fullScaleDps);
     }
-    return invalid("The bridge has the ranges " + known + " dps; " + shortest(rangeDps) +
-                   " dps can't be chosen.");
+    return invalidOption("The bridge has the ranges " + known + " dps; " + shortest(rangeDps) +
+                         " dps can't be chosen.");
 }
 
 Result<BridgeConfig> chosenConfig(const BridgeInfo &info, BridgeConfig config,
@@ -93,12 +88,12 @@ Result<std::unique_ptr<BridgeSource>> BridgeSource::open(std::unique_ptr<HidTran
                                                          HostClock &clock, BridgeSourceOptions options)
 {
     if (!(options.blockS > 0.0) || !(options.stallS > 0.0) || !(options.reopenEveryS > 0.0))
-        return invalid("The times of a bridge's source must be more than 0 s.");
+        return invalidOption("The times of a bridge's source must be more than 0 s.");
     auto client = BridgeClient::open(std::move(transport), clock);
     if (!client)
         return client.error();
     if (options.thermometer == BridgeThermometer::External && !client->info().can(BRIDGE_CAN_EXTERNAL))
-        return invalid("The bridge has no external thermometer; choose the one on the die.");
+        return invalidOption("The bridge has no external thermometer; choose the one on the die.");
     const auto now = client->config();
     if (!now)
         return now.error();

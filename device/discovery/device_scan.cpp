@@ -83,6 +83,11 @@ DeviceList DeviceScanner::scan(const ScanRequest &request)
 
 void DeviceScanner::lookInside(DeviceEntry &entry)
 {
+    if (entry.chip && m_access.heldElsewhere && m_access.heldElsewhere(entry.identity)) {
+        entry.status = Error{Errc::DeviceInUse, "Another program holds the " + entry.name + " at " +
+                                                    entry.identity.path + "; close that program."};
+        return;
+    }
     auto transport = m_access.open(entry.identity);
     SteadyClock steady;
     HostClock &clock = m_access.clock ? *m_access.clock : steady;

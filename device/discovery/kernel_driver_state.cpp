@@ -1,11 +1,8 @@
 #include "device/discovery/kernel_driver_state.h"
 
-#include "device/i2c/cp2112_codec.h"
-#include "device/i2c/ft260_codec.h"
-#include "device/i2c/mcp2221a_codec.h"
+#include "device/i2c/i2c_chips.h"
 
 #include <algorithm>
-#include <array>
 #include <system_error>
 
 namespace driftbench {
@@ -13,21 +10,6 @@ namespace driftbench {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Chip
-{
-    std::uint16_t vendorId;
-    std::uint16_t productId;
-    const char *name;
-    const char *module;  // of the kernel's own driver
-    bool needsItsDriver; // hid-generic refuses the chip
-};
-
-constexpr std::array kChips{
-    Chip{mcp2221a::kVendorId, mcp2221a::kProductId, "MCP2221A", "hid_mcp2221", false},
-    Chip{cp2112::kVendorId, cp2112::kProductId, "CP2112", "hid_cp2112", true},
-    Chip{ft260::kVendorId, ft260::kProductId, "FT260", "hid_ft260", false},
-};
 
 std::string hexWord(std::uint16_t word, const char *digits)
 {
@@ -37,12 +19,15 @@ std::string hexWord(std::uint16_t word, const char *digits)
     return text;
 }
 
-Chip chipOf(std::uint16_t vendorId, std::uint16_t productId)
+// A native bridge has no driver of its own.
+I2cChipDescription chipOf(std::uint16_t vendorId, std::uint16_t productId)
 {
-    const auto found = std::find_if(kChips.begin(), kChips.end(), [&](const Chip &chip) {
-        return chip.vendorId == vendorId && chip.productId == productId;
-    });
-    return found != kChips.end() ? *found : Chip{vendorId, productId, "HID device", "", false};
+    HidIdentity identity;
+    identity.vendorId = vendorId;
+    identity.productId = productId;
+    if (const auto chip = i2cChipOf(identity))
+        return describe(*chip);
+    return {{}, "HID device", "", vendorId, productId, "", false};
 }
 
 // The last part of where a link leads; empty if there is none.
@@ -63,7 +48,7 @@ std::vector<std::string> namesIn(const fs::path &folder)
     return names;
 }
 
-std::string adviceFor(const Chip &chip, const KernelDriverReport &report, bool moduleLoaded)
+std::string adviceFor(const I2cChipDescription &chip, const KernelDriverReport &report, bool moduleLoaded)
 {
     const char *const kLower = "0123456789abcdef";
     const std::string device =
@@ -72,8 +57,8 @@ std::string adviceFor(const Chip &chip, const KernelDriverReport &report, bool m
     case KernelDriverState::NotPluggedIn:
         return "No " + device + " is plugged in.";
     case KernelDriverState::HeldByDriver: {
-        const std::string module = report.module.empty() ? chip.module : report.module;
-        if (chip.needsItsDriver || module.empty())
+        const std::string module = report.module.empty() ? std::string(chip.kernelModule) : report.module;
+        if (chip.needsKernelModule || module.empty())
             return "The kernel driver " + report.driver + " holds the " + device +
                    " and gives no hidraw; unplug it and plug it in again.";
         return "The kernel driver " + report.driver + " holds the " + device + "; run \"sudo rmmod " +
@@ -81,12 +66,12 @@ std::string adviceFor(const Chip &chip, const KernelDriverReport &report, bool m
                "\" into /etc/modprobe.d/driftbench.conf, which needs no replugging.";
     }
     case KernelDriverState::NoDriver:
-        if (chip.needsItsDriver && !moduleLoaded)
+        if (chip.needsKernelModule && !moduleLoaded)
             return "The " + device +
                    " has no kernel driver, and no other than its own takes it; run \"sudo modprobe " +
-                   chip.module + "\" and never blacklist it.";
+                   std::string(chip.kernelModule) + "\" and never blacklist it.";
         if (moduleLoaded)
-            return "The kernel driver " + std::string(chip.module) + " could not start the " + device +
+            return "The kernel driver " + std::string(chip.kernelModule) + " could not start the " + device +
                    "; unplug it and plug it in again.";
         return "The " + device + " has no kernel driver; run \"sudo modprobe hid_generic\".";
     case KernelDriverState::Usable:
@@ -137,10 +122,10 @@ KernelDriverReport kernelDriverState(const fs::path &sysfs, std::uint16_t vendor
         report.driver = driver;
         report.module = linkedName(device / "driver" / "module");
     }
-    const Chip chip = chipOf(vendorId, productId);
+    const I2cChipDescription chip = chipOf(vendorId, productId);
     std::error_code error;
-    report.advice =
-        adviceFor(chip, report, chip.module[0] != '\0' && fs::exists(sysfs / "module" / chip.module, error));
+    report.advice = adviceFor(
+        chip, report, !chip.kernelModule.empty() && fs::exists(sysfs / "module" / chip.kernelModule, error));
     return report;
 }
 

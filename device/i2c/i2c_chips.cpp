@@ -15,9 +15,12 @@ namespace {
 
 // In the order of I2cChip.
 constexpr std::array kChips{
-    I2cChipDescription{I2cChip::Mcp2221a, "MCP2221A", "mcp2221a", mcp2221a::kVendorId, mcp2221a::kProductId},
-    I2cChipDescription{I2cChip::Cp2112, "CP2112", "cp2112", cp2112::kVendorId, cp2112::kProductId},
-    I2cChipDescription{I2cChip::Ft260, "FT260", "ft260", ft260::kVendorId, ft260::kProductId},
+    I2cChipDescription{I2cChip::Mcp2221a, "MCP2221A", "mcp2221a", mcp2221a::kVendorId, mcp2221a::kProductId,
+                       "hid_mcp2221", false},
+    I2cChipDescription{I2cChip::Cp2112, "CP2112", "cp2112", cp2112::kVendorId, cp2112::kProductId,
+                       "hid_cp2112", true},
+    I2cChipDescription{I2cChip::Ft260, "FT260", "ft260", ft260::kVendorId, ft260::kProductId, "hid_ft260",
+                       false},
 };
 
 template <class Driver>

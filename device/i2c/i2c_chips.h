@@ -25,6 +25,8 @@ struct I2cChipDescription
     std::string_view key;  // "mcp2221a", as users write it
     std::uint16_t vendorId;
     std::uint16_t productId;
+    std::string_view kernelModule; // of the kernel's own driver
+    bool needsKernelModule;        // hid-generic refuses the chip
 };
 
 std::span<const I2cChipDescription> i2cChips();

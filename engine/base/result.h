@@ -76,6 +76,11 @@ struct Error
     std::string message; // one sentence, ends with a full stop
 };
 
+inline Error invalidOption(std::string message)
+{
+    return {Errc::InvalidOption, std::move(message)};
+}
+
 template <class T>
 class [[nodiscard]] Result
 {

@@ -58,6 +58,13 @@ double betaContinuedFraction(double a, double b, double x)
     return result;
 }
 
+// std::lgamma leaves the sign in a global variable, which several threads must not write.
+double logGamma(double x)
+{
+    int sign = 0;
+    return ::lgamma_r(x, &sign);
+}
+
 double regularisedBeta(double a, double b, double x)
 {
     if (x <= 0.0)
@@ -65,7 +72,7 @@ double regularisedBeta(double a, double b, double x)
     if (x >= 1.0)
         return 1.0;
     const double front =
-        std::exp(std::lgamma(a + b) - std::lgamma(a) - std::lgamma(b) + a * std::log(x) + b * std::log1p(-x));
+        std::exp(logGamma(a + b) - logGamma(a) - logGamma(b) + a * std::log(x) + b * std::log1p(-x));
     if (x < (a + 1.0) / (a + b + 2.0))
         return front * betaContinuedFraction(a, b, x) / a;
     return 1.0 - front * betaContinuedFraction(b, a, 1.0 - x) / b;

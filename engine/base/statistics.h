@@ -1,10 +1,15 @@
 // Small statistics that more than one folder needs.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
 namespace driftbench {
+
+// A figure that does not exist here: nothing to compare with, too few values.
+inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Of an empty span: NaN. The argument is taken by value because the order of its elements is lost.
 double median(std::vector<double> values);

@@ -1,6 +1,7 @@
 #include "engine/evaluation/campaign_inspection.h"
 
 #include "engine/base/axes.h"
+#include "engine/base/statistics.h"
 #include "engine/evaluation/sweeps.h"
 
 #include <algorithm>
@@ -16,7 +17,6 @@ static constexpr double kSmoothC = 2.5;
 static constexpr double kLittleMore = 1.2;
 static constexpr double kShareOfSwing = 0.05;
 static constexpr double kTimesNoise = 3.0;
-static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 static double medianIntervalS(const Eigen::VectorXd &timeS)
 {

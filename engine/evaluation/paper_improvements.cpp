@@ -1,13 +1,12 @@
 #include "engine/evaluation/paper_improvements.h"
 
+#include "engine/base/statistics.h"
+
 #include <algorithm>
-#include <limits>
 
 namespace driftbench {
 
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 void derive(PaperRow &row)
 {

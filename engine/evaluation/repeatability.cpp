@@ -1,9 +1,9 @@
 #include "engine/evaluation/repeatability.h"
 
+#include "engine/base/statistics.h"
 #include "engine/evaluation/sweeps.h"
 
 #include <cmath>
-#include <limits>
 #include <map>
 #include <vector>
 
@@ -14,8 +14,6 @@ namespace {
 constexpr int kCellFactor = 50; // of the thermal curve's 0.02 degrees: 1 degree
 constexpr int kFloorFactor = 25;
 constexpr double kFewestSamples = 3.0;
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
 std::vector<ThermalCurve> repeats(const TrainingSet &set)
 {
     std::vector<ThermalCurve> curves;

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 namespace driftbench {
 
@@ -17,8 +16,6 @@ constexpr double kSmoothingC = 5.0;
 constexpr double kConfidence = 0.95;
 constexpr double kNormalQuantile = 1.959963984540054; // 0.975 of the normal distribution
 constexpr int kFewestRuns = 3;
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
 // One run's residuals in the bins.
 struct Residuals
 {

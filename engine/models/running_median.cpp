@@ -1,8 +1,9 @@
 #include "engine/models/running_median.h"
 
+#include "engine/base/statistics.h"
+
 #include <array>
 #include <cstddef>
-#include <limits>
 
 namespace driftbench {
 
@@ -10,7 +11,6 @@ namespace {
 
 constexpr std::size_t kSize = kMedianWindow;
 constexpr Eigen::Index kHalf = kMedianWindow / 2;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // The window's values in order. Each replacement passes over all of them without a branch: in noise, a branch
 // that looks for the place is wrong half the time and costs more than the whole pass.

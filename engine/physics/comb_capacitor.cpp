@@ -16,22 +16,18 @@ constexpr double kNewtonMetresPerGPaCubicUm = 1e-9;
 // Of the gap: closer than this the ends count as touching, as rounding can't tell them apart from contact.
 constexpr double kContactFraction = 1e-12;
 
-Error invalid(std::string message)
-{
-    return {Errc::InvalidOption, std::move(message)};
-}
-
 Status checkMaterial(const CombMaterial &material)
 {
     if (!std::isfinite(material.expansionPerC))
-        return invalid("The thermal expansion coefficient is not a finite number; give it per °C, such as "
-                       "2.4e-6 of silicon.");
+        return invalidOption(
+            "The thermal expansion coefficient is not a finite number; give it per °C, such as "
+            "2.4e-6 of silicon.");
     if (!std::isfinite(material.elasticModulusGPa) || material.elasticModulusGPa <= 0.0)
-        return invalid("The elastic modulus is " + shortest(material.elasticModulusGPa) +
-                       " GPa; give more than 0.");
+        return invalidOption("The elastic modulus is " + shortest(material.elasticModulusGPa) +
+                             " GPa; give more than 0.");
     if (!(material.poissonRatio >= -1.0 && material.poissonRatio <= 0.5))
-        return invalid("The Poisson ratio is " + shortest(material.poissonRatio) +
-                       "; give one from −1 to 0.5.");
+        return invalidOption("The Poisson ratio is " + shortest(material.poissonRatio) +
+                             "; give one from −1 to 0.5.");
     return {};
 }
 
@@ -48,22 +44,23 @@ Status checkGeometry(const CombGeometry &geometry)
                              Length{"gap d0", geometry.gapUm}};
     for (const Length &length : lengths) {
         if (!std::isfinite(length.um) || length.um <= 0.0)
-            return invalid("The " + std::string(length.what) + " is " + shortest(length.um) +
-                           " µm; give more than 0.");
+            return invalidOption("The " + std::string(length.what) + " is " + shortest(length.um) +
+                                 " µm; give more than 0.");
     }
     if (geometry.gapCount < 1)
-        return invalid("The number of gaps is " + std::to_string(geometry.gapCount) + "; give at least 1.");
+        return invalidOption("The number of gaps is " + std::to_string(geometry.gapCount) +
+                             "; give at least 1.");
     if (!std::isfinite(geometry.relativePermittivity) || geometry.relativePermittivity <= 0.0)
-        return invalid("The relative permittivity is " + shortest(geometry.relativePermittivity) +
-                       "; give more than 0.");
+        return invalidOption("The relative permittivity is " + shortest(geometry.relativePermittivity) +
+                             "; give more than 0.");
     return {};
 }
 
 Status checkTemperature(const std::string &what, double temperatureC)
 {
     if (!std::isfinite(temperatureC) || temperatureC < kAbsoluteZeroC)
-        return invalid(what + " is " + shortest(temperatureC) +
-                       " °C; give a temperature above absolute zero (−273.15 °C).");
+        return invalidOption(what + " is " + shortest(temperatureC) +
+                             " °C; give a temperature above absolute zero (−273.15 °C).");
     return {};
 }
 
@@ -98,10 +95,10 @@ Result<double> printedChange(const CombParameters &parameters, double deltaTC, d
 {
     const double expansion = parameters.material.expansionPerC * deltaTC;
     if (!(expansion > 0.0))
-        return invalid("Eq. (10) as printed has no value at a temperature difference of " +
-                       shortest(deltaTC) +
-                       " °C, where its root is zero or imaginary; use the corrected formula or a warmer "
-                       "temperature.");
+        return invalidOption(
+            "Eq. (10) as printed has no value at a temperature difference of " + shortest(deltaTC) +
+            " °C, where its root is zero or imaginary; use the corrected formula or a warmer "
+            "temperature.");
     const CombGeometry &geometry = parameters.geometry;
     const double kappaPerUm = 24.0 * expansion / geometry.thicknessUm;
     const double growth = 1.0 + 2.0 * expansion;
@@ -168,21 +165,22 @@ Status CombCapacitor::check(double deltaTC, double displacementUm) const
 {
     const auto &[material, geometry, straightAtC] = m_parameters;
     if (!std::isfinite(displacementUm) || displacementUm >= geometry.gapUm)
-        return invalid("The displacement is " + shortest(displacementUm) + " µm; give less than the gap of " +
-                       shortest(geometry.gapUm) + " µm, at which the combs touch.");
+        return invalidOption("The displacement is " + shortest(displacementUm) +
+                             " µm; give less than the gap of " + shortest(geometry.gapUm) +
+                             " µm, at which the combs touch.");
     if (Status ok = checkTemperature("The temperature of the combs", straightAtC + deltaTC); !ok)
         return ok;
     const double gapUm = geometry.gapUm - displacementUm;
     const double length = geometry.overlapLengthUm;
     if (gapUm - curvaturePerUm(m_parameters, deltaTC) * length * length <= kContactFraction * gapUm)
-        return invalid("The combs touch at " + shortest(contactTemperatureC(displacementUm)) +
-                       " °C when displaced by " + shortest(displacementUm) +
-                       " µm, so there is no capacitance at " + shortest(straightAtC + deltaTC) +
-                       " °C; stay short of contact or give another geometry.");
+        return invalidOption("The combs touch at " + shortest(contactTemperatureC(displacementUm)) +
+                             " °C when displaced by " + shortest(displacementUm) +
+                             " µm, so there is no capacitance at " + shortest(straightAtC + deltaTC) +
+                             " °C; stay short of contact or give another geometry.");
     if (1.0 + 2.0 * material.expansionPerC * deltaTC <= 0.0)
-        return invalid("The overlap of the combs has shrunk to nothing at " +
-                       shortest(straightAtC + deltaTC) +
-                       " °C; give a smaller thermal expansion coefficient.");
+        return invalidOption("The overlap of the combs has shrunk to nothing at " +
+                             shortest(straightAtC + deltaTC) +
+                             " °C; give a smaller thermal expansion coefficient.");
     return {};
 }
 

@@ -28,25 +28,20 @@ struct CombAxisCurve
     }
 };
 
-Error invalid(std::string message)
-{
-    return {Errc::InvalidOption, std::move(message)};
-}
-
 Status checkPositive(std::string_view what, double value, std::string_view unit)
 {
     if (std::isfinite(value) && value > 0.0)
         return {};
-    return invalid("The " + std::string(what) + " is " + shortest(value) + std::string(unit) +
-                   "; give more than 0.");
+    return invalidOption("The " + std::string(what) + " is " + shortest(value) + std::string(unit) +
+                         "; give more than 0.");
 }
 
 Status checkAxis(const CombAxis &axis, double referenceRateDps, std::string_view name)
 {
     for (const double figure : {axis.restDps, axis.package.stepDps, axis.package.stepAtC, referenceRateDps}) {
         if (!std::isfinite(figure))
-            return invalid("A figure of the comb drift on " + std::string(name) + " is " + shortest(figure) +
-                           "; give finite rates and temperatures.");
+            return invalidOption("A figure of the comb drift on " + std::string(name) + " is " +
+                                 shortest(figure) + "; give finite rates and temperatures.");
     }
     return checkPositive("width of the package term on " + std::string(name), axis.package.stepWidthC, " °C");
 }

@@ -10,18 +10,13 @@ namespace driftbench {
 
 namespace {
 
-Error invalid(std::string message)
-{
-    return {Errc::InvalidOption, std::move(message)};
-}
-
 Error unknown(std::string_view kind, std::string_view name, std::span<const std::string_view> names)
 {
     std::string known;
     for (const std::string_view each : names)
         known += (known.empty() ? "" : ", ") + std::string(each);
-    return invalid("There is no datasheet of a " + std::string(kind) + " \"" + std::string(name) +
-                   "\"; choose one of " + known + ".");
+    return invalidOption("There is no datasheet of a " + std::string(kind) + " \"" + std::string(name) +
+                         "\"; choose one of " + known + ".");
 }
 
 struct Figure
@@ -35,8 +30,8 @@ Status checkPositive(std::span<const Figure> figures, const std::string &model)
 {
     for (const Figure &figure : figures) {
         if (!std::isfinite(figure.value) || figure.value <= 0.0)
-            return invalid("The " + std::string(figure.what) + " of " + model + " is " +
-                           shortest(figure.value) + std::string(figure.unit) + "; give more than 0.");
+            return invalidOption("The " + std::string(figure.what) + " of " + model + " is " +
+                                 shortest(figure.value) + std::string(figure.unit) + "; give more than 0.");
     }
     return {};
 }
@@ -73,13 +68,14 @@ Status checkDatasheet(const SensorDatasheet &sensor)
         return ok;
     for (const double temperatureC : {sensor.lowestC, sensor.highestC}) {
         if (!std::isfinite(temperatureC) || temperatureC < kAbsoluteZeroC)
-            return invalid("The operating range of " + sensor.model + " has an end at " +
-                           shortest(temperatureC) +
-                           " °C; give a temperature above absolute zero (−273.15 °C).");
+            return invalidOption("The operating range of " + sensor.model + " has an end at " +
+                                 shortest(temperatureC) +
+                                 " °C; give a temperature above absolute zero (−273.15 °C).");
     }
     if (sensor.lowestC >= sensor.highestC)
-        return invalid("The operating range of " + sensor.model + " goes from " + shortest(sensor.lowestC) +
-                       " to " + shortest(sensor.highestC) + " °C; the lower end must come first.");
+        return invalidOption("The operating range of " + sensor.model + " goes from " +
+                             shortest(sensor.lowestC) + " to " + shortest(sensor.highestC) +
+                             " °C; the lower end must come first.");
     return {};
 }
 

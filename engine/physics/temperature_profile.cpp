@@ -9,15 +9,6 @@ namespace driftbench {
 
 namespace {
 
-constexpr double kMostSteps = 1e6;
-// A way that is a whole number of steps must not get one more step from rounding.
-constexpr double kRoundingSlack = 1e-9;
-
-Error invalid(std::string message)
-{
-    return {Errc::InvalidOption, std::move(message)};
-}
-
 bool isTemperature(double temperatureC)
 {
     return std::isfinite(temperatureC) && temperatureC >= kAbsoluteZeroC;
@@ -25,11 +16,17 @@ bool isTemperature(double temperatureC)
 
 Error noTemperature(double temperatureC)
 {
-    return invalid("The profile asks for " + shortest(temperatureC) +
-                   " °C; give a temperature above absolute zero (−273.15 °C).");
+    return invalidOption("The profile asks for " + shortest(temperatureC) +
+                         " °C; give a temperature above absolute zero (−273.15 °C).");
 }
 
 } // namespace
+
+double rampSteps(double wayC, double stepC)
+{
+    constexpr double kRoundingSlack = 1e-9;
+    return std::ceil(std::abs(wayC) / stepC - kRoundingSlack);
+}
 
 Result<TemperatureProfile> TemperatureProfile::build(std::string name, double startC,
                                                      const std::vector<ProfileSegment> &segments, int repeats)
@@ -37,8 +34,8 @@ Result<TemperatureProfile> TemperatureProfile::build(std::string name, double st
     if (!isTemperature(startC))
         return noTemperature(startC);
     if (repeats < 1)
-        return invalid("The profile is repeated " + std::to_string(repeats) +
-                       " times; repeat it at least once.");
+        return invalidOption("The profile is repeated " + std::to_string(repeats) +
+                             " times; repeat it at least once.");
     TemperatureProfile profile;
     profile.m_name = std::move(name);
     profile.m_lowestC = profile.m_highestC = startC;
@@ -52,14 +49,15 @@ Result<TemperatureProfile> TemperatureProfile::build(std::string name, double st
         }
     }
     if (!(profile.m_durationS > 0.0))
-        return invalid("The profile lasts 0 s; give it a hold or a ramp.");
+        return invalidOption("The profile lasts 0 s; give it a hold or a ramp.");
     return profile;
 }
 
 Status TemperatureProfile::append(const HoldSegment &hold)
 {
     if (!std::isfinite(hold.durationS) || hold.durationS < 0.0)
-        return invalid("A hold of the profile lasts " + shortest(hold.durationS) + " s; give 0 s or more.");
+        return invalidOption("A hold of the profile lasts " + shortest(hold.durationS) +
+                             " s; give 0 s or more.");
     m_durationS += hold.durationS;
     return {};
 }
@@ -69,17 +67,17 @@ Status TemperatureProfile::append(const RampSegment &ramp)
     if (!isTemperature(ramp.targetC))
         return noTemperature(ramp.targetC);
     if (!std::isfinite(ramp.stepC) || ramp.stepC <= 0.0)
-        return invalid("A ramp of the profile moves by " + shortest(ramp.stepC) +
-                       " °C a step; give a step above 0 °C.");
+        return invalidOption("A ramp of the profile moves by " + shortest(ramp.stepC) +
+                             " °C a step; give a step above 0 °C.");
     if (!std::isfinite(ramp.periodS) || ramp.periodS <= 0.0)
-        return invalid("A ramp of the profile takes " + shortest(ramp.periodS) +
-                       " s a step; give a period above 0 s.");
+        return invalidOption("A ramp of the profile takes " + shortest(ramp.periodS) +
+                             " s a step; give a period above 0 s.");
     const double fromC = m_steps.back().setpointC;
     const double wayC = ramp.targetC - fromC;
-    const double count = std::ceil(std::abs(wayC) / ramp.stepC - kRoundingSlack);
-    if (count + static_cast<double>(m_steps.size()) > kMostSteps)
-        return invalid("The profile has more than a million steps; take larger ones than " +
-                       shortest(ramp.stepC) + " °C.");
+    const double count = rampSteps(wayC, ramp.stepC);
+    if (count + static_cast<double>(m_steps.size()) > kMostProfileSteps)
+        return invalidOption("The profile has more than a million steps; take larger ones than " +
+                             shortest(ramp.stepC) + " °C.");
     const double startS = m_durationS;
     for (double step = 1.0; step <= count; ++step) {
         const double setpointC =
@@ -125,8 +123,8 @@ Result<TemperatureProfile> TemperatureProfile::named(std::string_view name)
     std::string known;
     for (const std::string_view each : kProfileNames)
         known += (known.empty() ? "" : ", ") + std::string(each);
-    return invalid("There is no temperature profile \"" + std::string(name) + "\"; choose one of " + known +
-                   ".");
+    return invalidOption("There is no temperature profile \"" + std::string(name) + "\"; choose one of " +
+                         known + ".");
 }
 
 } // namespace driftbench

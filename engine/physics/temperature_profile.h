@@ -48,6 +48,11 @@ struct ProfileStep
 inline constexpr std::array<std::string_view, 5> kProfileNames{"paper", "cooling", "cycle", "quick",
                                                                "warmup"};
 
+inline constexpr double kMostProfileSteps = 1e6;
+
+// Of a ramp; a way that is a whole number of steps gets no further step from rounding.
+double rampSteps(double wayC, double stepC);
+
 class TemperatureProfile
 {
 public:

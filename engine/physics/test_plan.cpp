@@ -11,17 +11,9 @@ namespace driftbench {
 namespace {
 
 constexpr double kLongestRunS = 100.0 * 86400.0;
-constexpr double kMostSteps = 1e6;
 constexpr double kHighestSampleRateHz = 100000.0;
 constexpr int kMostCycles = 1000;
 constexpr int kMostRuns = 1000;
-// A way that is a whole number of steps must not get one more step from rounding.
-constexpr double kRoundingSlack = 1e-9;
-
-Error invalid(std::string message)
-{
-    return {Errc::InvalidOption, std::move(message)};
-}
 
 struct Figure
 {
@@ -34,21 +26,21 @@ Status checkPositive(const Figure &figure)
 {
     if (std::isfinite(figure.value) && figure.value > 0.0)
         return {};
-    return invalid("The " + std::string(figure.what) + " of the plan is " + shortest(figure.value) + " " +
-                   std::string(figure.unit) + "; give more than 0.");
+    return invalidOption("The " + std::string(figure.what) + " of the plan is " + shortest(figure.value) +
+                         " " + std::string(figure.unit) + "; give more than 0.");
 }
 
 Status checkCount(std::string_view what, int count, int most)
 {
     if (count >= 1 && count <= most)
         return {};
-    return invalid("The number of " + std::string(what) + " is " + std::to_string(count) + "; give 1 to " +
-                   std::to_string(most) + ".");
+    return invalidOption("The number of " + std::string(what) + " is " + std::to_string(count) +
+                         "; give 1 to " + std::to_string(most) + ".");
 }
 
 double stepsBetween(const TestPlan &plan)
 {
-    return std::ceil((plan.highestC - plan.lowestC) / plan.stepC - kRoundingSlack);
+    return rampSteps(plan.highestC - plan.lowestC, plan.stepC);
 }
 
 Status checkQuantities(const TestPlan &plan)
@@ -59,13 +51,14 @@ Status checkQuantities(const TestPlan &plan)
             return ok;
     }
     if (plan.stepC > plan.highestC - plan.lowestC)
-        return invalid("The step of the plan is " + shortest(plan.stepC) + " °C, more than its range of " +
-                       shortest(plan.highestC - plan.lowestC) + " °C; take a smaller one.");
+        return invalidOption("The step of the plan is " + shortest(plan.stepC) +
+                             " °C, more than its range of " + shortest(plan.highestC - plan.lowestC) +
+                             " °C; take a smaller one.");
     if (plan.sampleRateHz > kHighestSampleRateHz)
-        return invalid("The rate of the plan is " + shortest(plan.sampleRateHz) + " Hz; give at most " +
-                       fixed(kHighestSampleRateHz, 0) + " Hz.");
+        return invalidOption("The rate of the plan is " + shortest(plan.sampleRateHz) + " Hz; give at most " +
+                             fixed(kHighestSampleRateHz, 0) + " Hz.");
     if (!std::isfinite(plan.holdS) || plan.holdS < 0.0)
-        return invalid("The hold of the plan is " + shortest(plan.holdS) + " s; give 0 s or more.");
+        return invalidOption("The hold of the plan is " + shortest(plan.holdS) + " s; give 0 s or more.");
     return {};
 }
 
@@ -74,8 +67,9 @@ Status checkCounts(const TestPlan &plan)
     if (const Status ok = checkCount("cycles", plan.cycles, kMostCycles); !ok)
         return ok;
     if (plan.cycles > 1 && plan.kind != PlanKind::Cycle)
-        return invalid("A run that only goes " + std::string(plan.kind == PlanKind::Heating ? "up" : "down") +
-                       " can't have " + std::to_string(plan.cycles) + " cycles; choose the kind cycle.");
+        return invalidOption("A run that only goes " +
+                             std::string(plan.kind == PlanKind::Heating ? "up" : "down") + " can't have " +
+                             std::to_string(plan.cycles) + " cycles; choose the kind cycle.");
     return checkCount("runs", plan.runs, kMostRuns);
 }
 
@@ -83,13 +77,13 @@ Status checkLength(const TestPlan &plan)
 {
     const double stepsUp = stepsBetween(plan);
     const int ramps = plan.kind == PlanKind::Cycle ? 2 * plan.cycles : 1;
-    if (stepsUp * ramps + 1.0 > kMostSteps)
-        return invalid("The plan has more than a million steps in a run; take larger ones than " +
-                       shortest(plan.stepC) + " °C.");
+    if (stepsUp * ramps + 1.0 > kMostProfileSteps)
+        return invalidOption("The plan has more than a million steps in a run; take larger ones than " +
+                             shortest(plan.stepC) + " °C.");
     const double durationS = ramps * stepsUp * plan.periodS + (ramps + 1) * plan.holdS;
     if (durationS > kLongestRunS)
-        return invalid("A run of the plan would last " + fixed(durationS / 86400.0, 0) +
-                       " days; give steps, period, hold and cycles that end within 100 days.");
+        return invalidOption("A run of the plan would last " + fixed(durationS / 86400.0, 0) +
+                             " days; give steps, period, hold and cycles that end within 100 days.");
     return {};
 }
 
@@ -153,9 +147,9 @@ Status checkTestPlan(const TestPlan &plan)
     if (Status ok = checkLength(plan); !ok)
         return ok;
     if (plan.runDurationS() * plan.sampleRateHz < 1.0)
-        return invalid("A run of the plan lasts " + shortest(plan.runDurationS()) +
-                       " s, less than a sample at " + shortest(plan.sampleRateHz) +
-                       " Hz; give a longer period or a higher rate.");
+        return invalidOption("A run of the plan lasts " + shortest(plan.runDurationS()) +
+                             " s, less than a sample at " + shortest(plan.sampleRateHz) +
+                             " Hz; give a longer period or a higher rate.");
     return {};
 }
 

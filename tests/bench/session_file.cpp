@@ -3,12 +3,10 @@
 #include "app/session/session_file.h"
 #include "app/session/database.h"
 #include "app/session/run_recorder.h"
-#include "engine/base/random.h"
+#include "bench/gyro_stream.h"
 
 #include <chrono>
-#include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <fcntl.h>
 #include <fstream>
 #include <string>
@@ -18,10 +16,12 @@
 #include <vector>
 
 using namespace driftbench;
+using bench::fail;
+using bench::need;
 
 namespace {
 
-constexpr double kRateHz = 10000.0;
+constexpr double kRateHz = bench::GyroStream::kRateHz;
 constexpr Eigen::Index kBlock = 400;          // 40 ms
 constexpr std::int64_t kRecorded = 6'000'000; // 10 minutes
 constexpr std::int64_t kLarge = 50'000'000;
@@ -49,49 +49,7 @@ double peakMegabytes()
     return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-// The same second of noise over and over. (+ 0.0: counts have no negative zero.)
-class Stream
-{
-public:
-    Stream() : m_noise(SampleBlock::withRows(static_cast<Eigen::Index>(kRateHz)))
-    {
-        Random random(1);
-        for (Eigen::Index i = 0; i < m_noise.size(); ++i) {
-            m_noise.temperatureC[i] = std::round(2500.0 + random.normal()) / 100.0;
-            for (int axis = 0; axis < 3; ++axis)
-                m_noise.rateDps(i, axis) = (std::round(random.normal() * 16.0) + 0.0) * 875.0 / 100000.0;
-        }
-    }
-    void fill(std::int64_t first, Eigen::Index count, double *timeS, double *temperatureC,
-              Eigen::MatrixX3d &rates, Eigen::Index row) const
-    {
-        for (Eigen::Index i = 0; i < count; ++i)
-            timeS[i] = static_cast<double>((first + i) * 100) / 1e6;
-        const Eigen::Index from = static_cast<Eigen::Index>(first % m_noise.size());
-        std::memcpy(temperatureC, m_noise.temperatureC.data() + from,
-                    static_cast<std::size_t>(count) * sizeof(double));
-        rates.middleRows(row, count) = m_noise.rateDps.middleRows(from, count);
-    }
-
-private:
-    SampleBlock m_noise;
-};
-
-void fail(const std::string &what)
-{
-    std::fprintf(stderr, "%s\n", what.c_str());
-    std::exit(1);
-}
-
-template <class T>
-T need(Result<T> result)
-{
-    if (!result)
-        fail(result.error().message);
-    return std::move(*result);
-}
-
-void record(const std::filesystem::path &path, const Stream &stream)
+void record(const std::filesystem::path &path, const bench::GyroStream &stream)
 {
     auto file = need(SessionFile::create(path));
     SourceInfo source{"benchmark", {"L3GD20H", "BENCH"}, kRateHz, 245.0, true, false};
@@ -139,19 +97,12 @@ void record(const std::filesystem::path &path, const Stream &stream)
     std::printf("record: %lld samples differ\n", static_cast<long long>(different));
 }
 
-void makeLarge(const std::filesystem::path &path, const Stream &stream)
+void makeLarge(const std::filesystem::path &path, const bench::GyroStream &stream)
 {
-    auto file = need(SessionFile::create(path));
-    Recording recording;
-    recording.timeS.resize(kLarge);
-    recording.temperatureC.resize(kLarge);
-    recording.rateDps.resize(kLarge, 3);
-    for (std::int64_t at = 0; at < kLarge; at += kBlock)
-        stream.fill(at, kBlock, recording.timeS.data() + at, recording.temperatureC.data() + at,
-                    recording.rateDps, at);
     const double started = nowS();
-    need(file.importRun(recording, describeRecording({}, "large")));
-    std::printf("import: %.1f M samples in %.1f s\n", static_cast<double>(kLarge) / 1e6, nowS() - started);
+    bench::importStream(path, stream, kLarge);
+    std::printf("import: %.1f M samples made and written in %.1f s\n", static_cast<double>(kLarge) / 1e6,
+                nowS() - started);
 }
 
 // The bytes of the file alone, 1 MiB at a time: the disk's speed where the system has been told to forget it.
@@ -235,7 +186,7 @@ void size(const char *what, const std::filesystem::path &path, std::int64_t samp
 int main(int argc, char **argv)
 {
     const std::filesystem::path folder = argc > 1 ? argv[1] : ".";
-    const Stream stream;
+    const bench::GyroStream stream;
     const auto recorded = folder / "recorded.driftbench";
     const auto large = folder / "large.driftbench";
     std::filesystem::remove(recorded);

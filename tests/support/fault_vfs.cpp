@@ -137,7 +137,7 @@ int onOpen(sqlite3_vfs *, const char *name, sqlite3_file *file, int flags, int *
 
 } // namespace
 
-void registerFaultVfs()
+void registerFaultVfs(bool asDefault)
 {
     static sqlite3_vfs vfs = [] {
         sqlite3_vfs copy = *systemVfs();
@@ -146,7 +146,7 @@ void registerFaultVfs()
         copy.xOpen = onOpen;
         return copy;
     }();
-    sqlite3_vfs_register(&vfs, 0);
+    sqlite3_vfs_register(&vfs, asDefault ? 1 : 0);
 }
 
 void injectFault(Fault fault, std::int64_t at, bool lasting)

@@ -19,7 +19,7 @@ enum class Fault
 
 inline constexpr const char *kFaultVfs = "driftbench-faults";
 
-void registerFaultVfs(); // once or more
+void registerFaultVfs(bool asDefault = false); // once or more; as default: for files that name no VFS as well
 // The n-th operation of that kind from now on (1: the next) fails; once, or also all after it.
 void injectFault(Fault fault, std::int64_t at, bool lasting);
 void clearFaults();

@@ -93,11 +93,6 @@ std::string recordOf(const SysfsPaths &paths, const HidIdentity &identity)
            paths.node + "\nL: device=../../../" + paths.hidName + "\n";
 }
 
-int errorNumberOf(const Error &error)
-{
-    return error.code == Errc::DeviceUnplugged ? ENODEV : EPIPE;
-}
-
 } // namespace
 
 struct MockedHidraw::Port
@@ -114,12 +109,14 @@ struct MockedHidraw::Port
     int answer(unsigned long request, UMockdevIoctlData *argument);
     int getFeature(UMockdevIoctlData *argument, std::size_t length);
     int setFeature(UMockdevIoctlData *argument, std::size_t length);
+    int failureOf(const Error &error) const;
 
     SysfsPaths paths;
     std::unique_ptr<HidTransport> device;
     UMockdevIoctlBase *ioctls = umockdev_ioctl_base_new();
     std::mutex mutex;
     int master = -1;                         // the far side of the node; -1: unplugged
+    std::atomic<int> failure = 0;            // 0: as it is usual
     std::atomic<std::ptrdiff_t> waiting = 0; // bytes written there that nobody has read
     std::unique_ptr<ReportPump> pump;
 };
@@ -262,7 +259,7 @@ int MockedHidraw::Port::getFeature(UMockdevIoctlData *argument, std::size_t leng
     report[0] = memory->data[0];
     const auto got = device->getFeature(report);
     if (!got)
-        return -errorNumberOf(got.error());
+        return -failureOf(got.error());
     write(memory, 0, std::span(report).first(*got));
     return static_cast<int>(*got);
 }
@@ -271,7 +268,14 @@ int MockedHidraw::Port::setFeature(UMockdevIoctlData *argument, std::size_t leng
 {
     g_autoptr(UMockdevIoctlData) memory = memoryOf(argument, length);
     const Status done = device->sendFeature({memory->data, length});
-    return done ? static_cast<int>(length) : -errorNumberOf(done.error());
+    return done ? static_cast<int>(length) : -failureOf(done.error());
+}
+
+int MockedHidraw::Port::failureOf(const Error &error) const
+{
+    if (failure != 0)
+        return failure;
+    return error.code == Errc::DeviceUnplugged ? ENODEV : EPIPE;
 }
 
 MockedHidraw::MockedHidraw(std::shared_ptr<SimulatedBoard> board) : m_board(std::move(board))
@@ -298,6 +302,11 @@ void MockedHidraw::plugIn()
     m_board->plugIn();
     m_port.reset();
     m_port = std::make_unique<Port>(m_board, next++);
+}
+
+void MockedHidraw::failWith(int errorNumber)
+{
+    m_port->failure = errorNumber;
 }
 
 std::string MockedHidraw::node() const

@@ -27,8 +27,11 @@ public:
 
     static bool isPreloaded();
 
-    void unplug();            // the board as well; also after a fault that unplugged it
-    void plugIn();            // as a node with the next number
+    void unplug(); // the board as well; also after a fault that unplugged it
+    void plugIn(); // as a node with the next number
+    // What the kernel says of every exchange that fails from now on, until it is plugged in again. Else EPIPE
+    // for a refusal and ENODEV for the device's end; a real one also has EIO for both.
+    void failWith(int errorNumber);
     std::string node() const; // "/dev/hidraw0", the one of the last time it was plugged in
 
 private:

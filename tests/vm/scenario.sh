@@ -21,13 +21,6 @@ check() {
     fi
 }
 
-# needs COMMAND: of driftbench-cli; the scenario is skipped, aloud, in a build without it.
-needs() {
-    "$cli" "$1" 2>&1 | grep -q "no command or option" || return 0
-    echo "RESULT $SCENARIO: skipped, driftbench-cli has no command $1"
-    exit 0
-}
-
 # waited SECONDS COMMAND...: until it succeeds.
 waited() {
     local tries=$(($1 * 10))
@@ -91,9 +84,6 @@ value() { sed -n "s/.*\"$1\": *\(-\{0,1\}[0-9.]*\).*/\1/p" "$2" | head -n 1; }
 # rows LOG: its samples, those that are there so far.
 rows() { grep -c '^[0-9-]' "$1"; }
 has_rows() { [ -f "$2" ] && [ "$(rows "$2")" -ge "$1" ]; }
-
-# column_of AXIS LOG: the number of the column with the rates on that axis.
-column_of() { grep -m 1 time "$2" | tr , '\n' | grep -n "$1" | head -n 1 | cut -d : -f 1; }
 
 # within LOWEST HIGHEST NUMBER
 within() { [ -n "$3" ] && [ "$3" -ge "$1" ] && [ "$3" -le "$2" ]; }

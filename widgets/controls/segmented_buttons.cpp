@@ -101,7 +101,7 @@ void SegmentedButtons::setTexts(const QStringList &texts)
             segment->setSizePolicy(m_stretched ? QSizePolicy::Expanding : QSizePolicy::Fixed,
                                    QSizePolicy::Fixed);
             m_group.addButton(segment, i);
-            m_layout->addWidget(segment, m_stretched ? 1 : 0);
+            m_layout->addWidget(segment);
         }
         segment->setText(texts[i]);
         segment->setAccessibleName(texts[i]);
@@ -109,6 +109,7 @@ void SegmentedButtons::setTexts(const QStringList &texts)
         segment->updateGeometry();
         segment->update();
     }
+    setStretched(m_stretched);
 }
 
 int SegmentedButtons::current() const

@@ -20,7 +20,7 @@ static constexpr int kLabelGap = 3;
 
 namespace {
 
-QString words(const char *text, int count = -1)
+QString markWords(const char *text, int count = -1)
 {
     return QCoreApplication::translate("driftbench::LiveMarks", text, nullptr, count);
 }
@@ -139,7 +139,7 @@ private:
         painter.setPen(m_marks->look.mutedText);
         const QCPAxis *values = panel.axis(QCPAxis::atLeft);
         const QFontMetrics metrics{noteFont()};
-        const QString name = words(QT_TRANSLATE_NOOP("driftbench::LiveMarks", "plateau"));
+        const QString name = markWords(QT_TRANSLATE_NOOP("driftbench::LiveMarks", "plateau"));
         for (const LiveHold &hold : m_marks->holds) {
             const double left = std::max<double>(pixelOf(panel, hold.startS), panel.left());
             const double right = std::min<double>(pixelOf(panel, hold.endS), panel.right());
@@ -155,7 +155,7 @@ private:
             const double right = std::min<double>(pixelOf(panel, *m_marks->planLabelS), panel.right()) - 8.0;
             const double y = values->coordToPixel(m_marks->planLabelC) + kLabelGap;
             painter.drawText(QRectF(right - 80.0, y, 80.0, metrics.height()), Qt::AlignRight | Qt::AlignTop,
-                             words(QT_TRANSLATE_NOOP("driftbench::LiveMarks", "plan")));
+                             markWords(QT_TRANSLATE_NOOP("driftbench::LiveMarks", "plan")));
         }
     }
 
@@ -213,12 +213,13 @@ QString LiveMarks::textAt(const QPointF &place) const
         if (std::abs(pixelOf(panel, gap.startS) - place.x()) > kCatch)
             continue;
         const QString where = clockText(gap.startS);
-        lines.append(gap.lostSamples < 0
-                         ? words(QT_TRANSLATE_NOOP("driftbench::LiveMarks", "%1: samples missing, %2"))
-                               .arg(where, gap.cause)
-                         : words(QT_TRANSLATE_N_NOOP("driftbench::LiveMarks", "%1: %n samples dropped, %2"),
-                                 static_cast<int>(gap.lostSamples))
-                               .arg(where, gap.cause));
+        lines.append(
+            gap.lostSamples < 0
+                ? markWords(QT_TRANSLATE_NOOP("driftbench::LiveMarks", "%1: samples missing, %2"))
+                      .arg(where, gap.cause)
+                : markWords(QT_TRANSLATE_N_NOOP("driftbench::LiveMarks", "%1: %n samples dropped, %2"),
+                            static_cast<int>(gap.lostSamples))
+                      .arg(where, gap.cause));
     }
     for (const LiveEvent &event : events) {
         if (std::abs(pixelOf(panel, event.timeS) - place.x()) <= kCatch)

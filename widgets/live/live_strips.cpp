@@ -22,7 +22,7 @@ static constexpr int kSide = 8;
 static constexpr int kTallStrip = 150;
 static constexpr double kFar = 1e12; // s: reference lines have no end
 
-static QString words(const char *text)
+static QString stripWords(const char *text)
 {
     return QCoreApplication::translate("driftbench::LiveStrips", text);
 }
@@ -71,7 +71,7 @@ void LiveStrips::buildStrip(int row, QCPMarginGroup *margins)
     const bool temperature = row + 1 == kStrips;
     addSeries(strip, temperature);
     strip.notes = new PanelNotes(strip.panel, m_look);
-    const QString widest = words(QT_TRANSLATE_NOOP("driftbench::LiveStrips", "%1 comp."));
+    const QString widest = stripWords(QT_TRANSLATE_NOOP("driftbench::LiveStrips", "%1 comp."));
     strip.notes->setMarginRoom(widest.arg(QStringLiteral("−000.00")));
 }
 
@@ -193,15 +193,15 @@ void LiveStrips::showTags(const std::optional<std::array<double, TracePyramid::k
             const double raw = (*values)[TracePyramid::kRaw + axis];
             labels.push_back(
                 {raw, rolePen(Role::Raw, m_look),
-                 words(QT_TRANSLATE_NOOP("driftbench::LiveStrips", "%1 raw")).arg(numberText(raw, 2)),
+                 stripWords(QT_TRANSLATE_NOOP("driftbench::LiveStrips", "%1 raw")).arg(numberText(raw, 2)),
                  false});
         }
         if (values && compensated) {
             const double after = (*values)[TracePyramid::kCompensated + axis];
-            labels.push_back(
-                {after, rolePen(Role::Compensated, m_look),
-                 words(QT_TRANSLATE_NOOP("driftbench::LiveStrips", "%1 comp.")).arg(numberText(after, 2)),
-                 true});
+            labels.push_back({after, rolePen(Role::Compensated, m_look),
+                              stripWords(QT_TRANSLATE_NOOP("driftbench::LiveStrips", "%1 comp."))
+                                  .arg(numberText(after, 2)),
+                              true});
         }
         m_strips[axis].notes->setMarginLabels(std::move(labels));
     }

@@ -1,12 +1,13 @@
 #include "widgets/live/trace_pyramid.h"
 
+#include "engine/base/statistics.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace driftbench {
 
-static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 static constexpr double kGapColumns = 3.0;       // narrower ones are not seen
 static constexpr std::int64_t kFewIntervals = 8; // below, nothing is said about gaps
 static constexpr int kLevels = 12;               // the last has stretches of 67 million samples
@@ -206,7 +207,6 @@ struct Column
 
 static void append(TracePyramid::Envelopes &result, const Column &column)
 {
-    static constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
     result.timeS.append(column.timeSum / column.count);
     for (std::size_t trace = 0; trace < TracePyramid::kTraces; ++trace) {
         const bool any = column.values[trace] > 0.0;

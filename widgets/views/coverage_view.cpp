@@ -8,7 +8,7 @@
 
 namespace driftbench {
 
-static constexpr double kBarWidth = 0.7; // of a degree
+static constexpr double kBarWidthC = 0.7; // of a bin of 1 °C
 
 namespace {
 
@@ -87,7 +87,7 @@ static void addBars(QCPAxisRect &rect, double firstC, const Eigen::VectorXd &sec
                     const QColor &color, const QString &name)
 {
     auto *bars = new QCPBars(rect.axis(QCPAxis::atBottom), rect.axis(QCPAxis::atLeft));
-    bars->setWidth(kBarWidth);
+    bars->setWidth(kBarWidthC);
     bars->setPen(Qt::NoPen);
     bars->setBrush(color);
     bars->setAntialiasedFill(false);

@@ -57,7 +57,7 @@ void ReportWriter::dataReady(const Status &outcome)
         return end(outcome);
     m_data = m_figures->data;
     m_document = std::make_shared<ReportDocument>(reportDocument(*m_data, QDateTime::currentDateTime()));
-    m_tasks = figureTasks(*m_figures, lightPalette(), true);
+    m_tasks = figureTasks(m_figures, lightPalette(), true);
     m_next = 0;
     m_slices.start();
 }
@@ -72,8 +72,13 @@ void ReportWriter::drawNext()
         m_slices.stop();
         return writeNow();
     }
-    if (auto figure = drawFigure(m_tasks[m_next], *m_document))
+    if (!m_drawing)
+        m_drawing.emplace(m_tasks[m_next], m_document->simulated ? m_document->origin : QString());
+    if (m_drawing->goOn())
+        return;
+    if (auto figure = m_drawing->take())
         m_document->figures.push_back(std::move(*figure));
+    m_drawing.reset();
     ++m_next;
     const double part = static_cast<double>(m_next) / static_cast<double>(m_tasks.size());
     emit progress(tr("Drawing figure %1 of %2").arg(m_next).arg(m_tasks.size()),
@@ -97,6 +102,7 @@ void ReportWriter::writeNow()
 void ReportWriter::end(const Status &outcome)
 {
     m_running = false;
+    m_drawing.reset();
     m_tasks.clear();
     m_document.reset();
     m_figures.reset();

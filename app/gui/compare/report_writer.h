@@ -1,5 +1,5 @@
 // A report of the session as PDF or HTML, by the file's ending, without holding up the window: what takes
-// long is done on the thread of a job, the figures are drawn one at a time between the events of the window.
+// long is done on the thread of a job, the figures are drawn part by part between the events of the window.
 #pragma once
 
 #include "app/report/report_document.h"
@@ -12,6 +12,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace driftbench {
 
@@ -49,6 +50,7 @@ private:
     std::shared_ptr<PreparedFigures> m_figures;
     std::vector<FigureTask> m_tasks;
     std::size_t m_next = 0;
+    std::optional<FigureDrawing> m_drawing;
     std::shared_ptr<ReportDocument> m_document;
 };
 

@@ -255,15 +255,10 @@ void DevicePanel::showProgress(const QString &stage, double fraction)
                                    : reading         ? UploadSteps::ReadBack
                                    : stage.isEmpty() ? UploadSteps::Begin
                                                      : UploadSteps::Write;
-    const double bytes = m_preview ? static_cast<double>(m_preview->image.size()) : 0.0;
-    const auto part = [bytes](double share) {
-        return tr("%1 of %2 B").arg(numberText(std::min(1.0, share) * bytes, 0), numberText(bytes, 0));
-    };
     if (step >= UploadSteps::Write)
-        m_steps->setDetail(UploadSteps::Write, part(fraction / kWrittenShare));
+        showBytes(UploadSteps::Write, fraction / kWrittenShare);
     if (step >= UploadSteps::ReadBack)
-        m_steps->setDetail(UploadSteps::ReadBack,
-                           part((fraction - kWrittenShare) / (kReadBackShare - kWrittenShare)));
+        showBytes(UploadSteps::ReadBack, (fraction - kWrittenShare) / (kReadBackShare - kWrittenShare));
     m_steps->setState(State::Running, step);
     m_bar->setValue(static_cast<int>(1000.0 * fraction));
     m_percent->setText(tr("%1 %").arg(numberText(100.0 * fraction, 0)));
@@ -272,6 +267,14 @@ void DevicePanel::showProgress(const QString &stage, double fraction)
     m_note->setText(tr("The table in use stays active until the last step."));
     m_cancelButton->show();
     emit stateChanged();
+}
+
+void DevicePanel::showBytes(int step, double share)
+{
+    const double bytes = m_preview ? static_cast<double>(m_preview->image.size()) : 0.0;
+    m_steps->setDetail(
+        static_cast<UploadSteps::Step>(step),
+        tr("%1 of %2 B").arg(numberText(std::min(1.0, share) * bytes, 0), numberText(bytes, 0)));
 }
 
 void DevicePanel::showUploadIdle()
@@ -347,6 +350,9 @@ void DevicePanel::uploaded(const Result<UploadOutcome> &outcome)
 
 void DevicePanel::showUploaded(const TableUploadReport &report)
 {
+    // The last of the progress may never have come, where it all went fast.
+    showBytes(UploadSteps::Write, 1.0);
+    showBytes(UploadSteps::ReadBack, 1.0);
     m_steps->setDetail(UploadSteps::Verify, crcText(report.crc));
     m_steps->setDetail(UploadSteps::Commit, tr("gen. %1").arg(report.generation));
     m_steps->setDetail(UploadSteps::Activate, tr("bank %1").arg(bankName(report.bank)));

@@ -50,6 +50,7 @@ public:
     bool canRestore() const;
     double fraction() const { return m_fraction; }
     const std::optional<DeviceTables> &tables() const { return m_tables; }
+    QString problem() const { return m_problem ? QString::fromStdString(m_problem->message) : QString(); }
     UploadSteps &steps() const { return *m_steps; }
     DataTable &comparison() const { return *m_pairs; }
     QString statusText() const; // "Bank A active, bank B being written"
@@ -71,6 +72,7 @@ private:
     void uploaded(const Result<UploadOutcome> &outcome);
     void rolledBack(const Result<TableRollbackReport> &outcome);
     void showProgress(const QString &stage, double fraction);
+    void showBytes(int step, double share); // of an UploadSteps::Step
     void showFacts();
     void showUploadIdle();
     void showWord(const QString &text, int tone);

@@ -1,5 +1,6 @@
 #include "app/gui/inspect/inspection_data.h"
 
+#include "engine/base/statistics.h"
 #include "engine/evaluation/sweeps.h"
 #include "engine/models/rbf_trainer.h"
 #include "widgets/plot/decimation.h"
@@ -13,8 +14,6 @@ namespace driftbench {
 static constexpr int kCentresOfTheCurve = 12;
 static constexpr double kGapInStripS = 0.0;
 static constexpr Eigen::Index kMostExcludedDots = 4000;
-static constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
 static std::shared_ptr<const RunFeatures> thinnedRun(const RunFeatures &run, Eigen::Index most)
 {
     const auto kept = thinned(run.timeS.size(), most);

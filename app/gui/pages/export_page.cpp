@@ -57,7 +57,6 @@ ExportPage::ExportPage(AppContext &context, QWidget *parent)
     , m_errors(new TableErrorView)
 {
     m_save = addPageAction({}, QStringLiteral("file"), [this] { askFolder(); });
-    m_save->setProperty("shownShortcut", QKeySequence(QKeySequence::Save).toString(QKeySequence::NativeText));
     m_write = addPageAction(QKeySequence(Qt::CTRL | Qt::Key_U), QStringLiteral("write"), [this] {
         banners().withdraw(QString::fromLatin1(kOutcome));
         m_device->write();
@@ -452,6 +451,7 @@ std::vector<StatusPart> ExportPage::statusParts() const
 void ExportPage::retranslate()
 {
     head().setTitle(stepName(Step::Export));
+    m_save->setProperty("shownShortcut", QKeySequence(QKeySequence::Save).toString(QKeySequence::NativeText));
     m_save->setText(tr("Save files…"));
     m_write->setText(tr("Write to device"));
     m_restore->setText(tr("Restore"));

@@ -40,6 +40,7 @@ public:
     void entered() override;
 
     void saveFiles(const std::filesystem::path &folder);
+    QAction *writeAction() const { return m_write; } // into the device
     DevicePanel &device() const { return *m_device; }
     FileChoices &files() const { return *m_files; }
     DataTable &knots() const { return *m_knots; }

@@ -26,13 +26,6 @@
 
 namespace driftbench {
 
-enum State
-{
-    kEmpty,
-    kLoading,
-    kPlots
-};
-
 static constexpr int kLowerHeight = 152;
 static constexpr int kUpperHeight = 368;
 static constexpr int kStripShare = 504; // of the lower row's width, beside the coverage

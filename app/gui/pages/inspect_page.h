@@ -54,6 +54,13 @@ protected:
     void changeEvent(QEvent *event) override;
 
 private:
+    enum State
+    {
+        kEmpty,
+        kLoading,
+        kPlots
+    };
+
     QWidget *makeBody();
     QWidget *makePlots();
     void addActions();
@@ -102,7 +109,7 @@ private:
     InspectSide *m_side;
     LegendRow *m_legend;
     SegmentedButtons *m_choice;
-    QStackedWidget *m_states; // empty, loading, plots
+    QStackedWidget *m_states; // one a State
     QStackedWidget *m_upper;
     QSplitter *m_splitter;
     EmptyState *m_empty;

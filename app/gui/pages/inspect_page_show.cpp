@@ -20,13 +20,6 @@
 
 namespace driftbench {
 
-enum State
-{
-    kEmpty,
-    kLoading,
-    kPlots
-};
-
 void InspectPage::entered()
 {
     m_failed = false;

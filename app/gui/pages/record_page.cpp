@@ -61,7 +61,6 @@ void RecordPage::addActions()
     setPrimaryAction(m_start);
 
     m_pauseButton = new ActionButton(m_pause, ButtonSize::Head);
-    m_pause->setProperty("shownShortcut", QKeySequence(Qt::Key_Space).toString(QKeySequence::NativeText));
     m_stopButton = new ActionButton(m_stop, ButtonSize::Head);
     m_stopButton->setShortcutShown(false);
     m_startButton = new ActionButton(m_start, ButtonSize::Head);
@@ -147,6 +146,7 @@ void RecordPage::entered()
 void RecordPage::retranslate()
 {
     head().setTitle(stepName(Step::Record));
+    m_pause->setProperty("shownShortcut", QKeySequence(Qt::Key_Space).toString(QKeySequence::NativeText));
     m_start->setText(tr("Start recording"));
     m_stop->setText(tr("Stop recording"));
     m_goToSource->setText(tr("Choose a source"));

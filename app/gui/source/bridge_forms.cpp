@@ -11,7 +11,7 @@
 
 namespace driftbench {
 
-static constexpr int kRangesDps[] = {0, 245, 500, 2000};
+static constexpr int kRangeChoicesDps[] = {0, 245, 500, 2000};
 static constexpr int kBusSpeedsKHz[] = {400, 100};
 static constexpr double kHighestNativeHz = 10000.0;
 static constexpr double kHighestI2cHz = 800.0;
@@ -29,7 +29,7 @@ static FormRows *placeRows(QWidget &form)
 static QComboBox *makeRanges()
 {
     auto *box = new QComboBox;
-    for (const int range : kRangesDps)
+    for (const int range : kRangeChoicesDps)
         box->addItem(QString(), range);
     return box;
 }

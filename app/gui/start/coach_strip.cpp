@@ -7,6 +7,7 @@
 #include "widgets/style/control_paint.h"
 #include "widgets/style/theme.h"
 
+#include <QAction>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QPainter>
@@ -22,10 +23,12 @@ CoachStrip::CoachStrip(GuidedTour &tour, QWidget *parent)
     , m_count(new TextLabel(TextRole::Note))
     , m_what(new TextLabel(TextRole::Section))
     , m_why(new TextLabel(TextRole::Note))
-    , m_next(new ActionButton(ButtonSize::Small))
-    , m_skip(new ActionButton(ButtonSize::Small))
-    , m_end(new ActionButton(ButtonSize::Small))
+    , m_next(new QAction(this))
+    , m_skip(new QAction(this))
+    , m_end(new QAction(this))
+    , m_actions{m_next, m_skip, m_end}
 {
+    buildActions();
     auto *columns = new QHBoxLayout(this);
     columns->setContentsMargins(48, 6, 16, 6);
     columns->setSpacing(8);
@@ -40,33 +43,64 @@ CoachStrip::CoachStrip(GuidedTour &tour, QWidget *parent)
     m_why->setElided(true);
     lines->addWidget(m_why);
     columns->addLayout(lines, 1);
-    m_next->setPrimary(true);
-    for (ActionButton *button : {m_next, m_skip, m_end})
+    for (QAction *action : m_actions) {
+        auto *button = new ActionButton(action, ButtonSize::Small);
+        button->setPrimary(action == m_next);
         columns->addWidget(button);
-    connect(m_next, &QPushButton::clicked, &m_tour, &GuidedTour::next);
-    connect(m_skip, &QPushButton::clicked, &m_tour, &GuidedTour::skip);
-    connect(m_end, &QPushButton::clicked, &m_tour, &GuidedTour::stop);
+        if (action == m_next)
+            m_nextButton = button;
+    }
     connect(&m_tour, &GuidedTour::changed, this, &CoachStrip::showStep);
-    hide();
+    showStep();
+}
+
+void CoachStrip::buildActions()
+{
+    m_next->setShortcut(QKeySequence(Qt::ALT | Qt::Key_Right));
+    m_skip->setShortcut(QKeySequence(Qt::ALT | Qt::SHIFT | Qt::Key_Right));
+    m_end->setShortcut(QKeySequence(Qt::ALT | Qt::Key_End));
+    connect(m_next, &QAction::triggered, &m_tour, &GuidedTour::next);
+    connect(m_skip, &QAction::triggered, &m_tour, &GuidedTour::skip);
+    connect(m_end, &QAction::triggered, &m_tour, &GuidedTour::stop);
+    showTexts();
+}
+
+void CoachStrip::showTexts()
+{
+    m_next->setText(tr("Next"));
+    m_skip->setText(tr("Skip"));
+    m_end->setText(tr("End tour"));
+    setAccessibleName(tr("Guided tour"));
 }
 
 void CoachStrip::showStep()
 {
     setVisible(m_tour.isActive());
+    for (QAction *action : m_actions)
+        action->setEnabled(m_tour.isActive());
     if (!m_tour.isActive())
         return;
     const TourStep &step = m_tour.step();
     m_count->setText(tr("Guided tour, %1 of %2").arg(m_tour.at() + 1).arg(m_tour.count()));
     m_what->setText(step.what());
     const QString state = m_tour.isWorking() && step.state ? step.state() : QString();
-    m_why->setText(state.isEmpty() ? step.why() : state);
-    m_next->setText(m_tour.at() + 1 == m_tour.count() && !step.perform ? tr("Finish") : tr("Next"));
-    m_next->setEnabled(!m_tour.isWorking());
-    setAccessibleName(tr("Guided tour"));
-    m_skip->setText(tr("Skip"));
-    m_end->setText(tr("End tour"));
-    for (ActionButton *button : {m_next, m_skip, m_end})
-        button->updateGeometry();
+    const bool troubled = !m_tour.trouble().isEmpty();
+    m_why->setText(troubled ? m_tour.trouble() : state.isEmpty() ? step.why() : state);
+    m_why->setTone(troubled ? Tone::Bad : Tone::Plain);
+    m_next->setText(troubled                                             ? tr("Try again")
+                    : m_tour.at() + 1 == m_tour.count() && !step.perform ? tr("Finish")
+                                                                         : tr("Next"));
+    enableNext(!m_tour.isWorking());
+}
+
+// A button that is disabled hands the focus on to Skip, where the next press of Space would be one too many.
+void CoachStrip::enableNext(bool enabled)
+{
+    if (!enabled && m_nextButton->hasFocus())
+        setFocus();
+    m_next->setEnabled(enabled);
+    if (enabled && hasFocus())
+        m_nextButton->setFocus();
 }
 
 void CoachStrip::paintEvent(QPaintEvent *)
@@ -82,8 +116,10 @@ void CoachStrip::paintEvent(QPaintEvent *)
 void CoachStrip::changeEvent(QEvent *event)
 {
     QFrame::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        showStep();
+    if (event->type() != QEvent::LanguageChange)
+        return;
+    showTexts();
+    showStep();
 }
 
 } // namespace driftbench

@@ -19,6 +19,7 @@ void GuidedTour::start()
 void GuidedTour::enter(int at)
 {
     m_working = false;
+    m_trouble.clear();
     m_timer.stop();
     if (at >= count()) {
         m_at = -1;
@@ -40,10 +41,11 @@ void GuidedTour::next()
     if (!step().perform)
         return enter(m_at + 1);
     m_working = true;
-    step().perform();
-    if (!isActive())
-        return;
+    m_trouble.clear();
     m_timer.start();
+    step().perform();
+    if (!isActive() || !m_working)
+        return;
     emit changed();
     look();
 }
@@ -54,8 +56,22 @@ void GuidedTour::look()
         return;
     if (!step().isDone || step().isDone())
         return enter(m_at + 1);
+    if (step().trouble) {
+        if (const QString sentence = step().trouble(); !sentence.isEmpty())
+            return fail(sentence);
+    }
     if (step().carryOn)
         step().carryOn();
+    emit changed();
+}
+
+void GuidedTour::fail(const QString &sentence)
+{
+    if (!isActive() || !m_working)
+        return;
+    m_working = false;
+    m_timer.stop();
+    m_trouble = sentence;
     emit changed();
 }
 

@@ -13,4 +13,7 @@ inline constexpr int kTourRuns = 3;
 
 std::vector<TourStep> simulatedTour(MainWindow &window, Workbench &bench);
 
+// A step whose work fails says so; of an acquisition, a training, an upload.
+void failWithTheWork(GuidedTour &tour, Workbench &bench);
+
 } // namespace driftbench

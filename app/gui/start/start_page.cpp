@@ -14,7 +14,7 @@ namespace driftbench {
 
 static constexpr int kColumnWidth = 640;
 static constexpr int kChoiceHeight = 72;
-static constexpr int kTextLeft = 56;
+static constexpr int kChoiceLeft = 56;
 
 ChoiceButton::ChoiceButton(const QString &iconName, bool primary, QWidget *parent)
     : QAbstractButton(parent), m_iconName(iconName), m_primary(primary)
@@ -53,7 +53,7 @@ void ChoiceButton::paintEvent(QPaintEvent *)
     const QColor strong = buttonTextColor(look, state);
     const QColor weak = m_primary ? look.textOnAccent : look.mutedText;
     paintIcon(painter, QRect(18, (height() - kIcon) / 2, kIcon, kIcon), m_iconName, strong);
-    const QRect place = rect().adjusted(kTextLeft, 0, -16, 0);
+    const QRect place = rect().adjusted(kChoiceLeft, 0, -16, 0);
     const QFontMetrics titleMetrics(sectionFont());
     const QRect wrapped = QFontMetrics(noteFont()).boundingRect(place, Qt::TextWordWrap, m_sentence);
     const int top = (height() - titleMetrics.height() - wrapped.height() - 2) / 2;

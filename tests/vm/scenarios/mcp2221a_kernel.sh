@@ -1,7 +1,5 @@
 # The same chip with the kernel's own driver, which keeps hidraw away from everyone else. Its probing takes
 # 24 s; it holds the chip from the start, and nobody waits here for the end.
-needs devices
-needs record
 driver_is() { [ "$(basename "$(readlink /sys/bus/hid/devices/0003:04D8:00DD.*/driver)")" = "$1" ]; }
 
 check "the kernel's driver is loaded" insmod /run/vm/modules/hid-mcp2221.ko

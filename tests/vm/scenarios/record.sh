@@ -1,6 +1,4 @@
 # Ten seconds at 1 kHz from a native bridge, nothing lost.
-needs devices
-needs record
 serial=SIM-0001
 
 check "the bridge is plugged in" start_device bridge "$serial"

@@ -10,7 +10,7 @@ read_table() { "$cli" device read-table "${device[@]}" --out "$1"; }
 in_use() { read_table now.bin && cmp now.bin "$1"; }
 old_or_new() { read_table now.bin && { cmp now.bin old.bin || cmp now.bin new.bin; }; }
 cut_at() {
-    [ "$(tell cut "$1")" = ok ] && ! upload_new && ! hidraw_of "$serial" >&2
+    [ "$(tell cut "$1")" = ok ] && ! upload_new 2>said.txt && ! hidraw_of "$serial" >&2
 }
 
 check "the bridge is plugged in" start_device bridge "$serial"
@@ -26,6 +26,7 @@ check "the first one is in use again" in_use old.bin
 # While it looks at the device, while the chunks go, and near the end.
 for exchange in 4 20 45; do
     check "unplugged at exchange $exchange the upload fails" cut_at "$exchange"
+    check "it says so" grep -q "was unplugged" said.txt
     check "plugged in again" plug "$serial"
     check "the old or the new table is in use, whole" old_or_new
 done

@@ -1,6 +1,5 @@
 # A native bridge is unplugged while it is recorded from: the recording waits, goes on behind a gap when the
 # bridge is back, and is kept if it does not come back.
-needs record
 serial=SIM-0001
 
 check "the bridge is plugged in" start_device bridge "$serial"
