@@ -12,6 +12,7 @@
 #include <QDir>
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -34,6 +35,9 @@ private slots:
     void everyView_withoutData_saysSo();
     void everyView_onePoint_draws();
     void everyView_extremeAndMissingValues_draws();
+    void density_ofRuns_countsEverySampleOnce();
+    void density_curveThroughAllSamples_leavesItsResidualAroundZero();
+    void scatter_withDensity_drawsCellsForDots();
     void everyView_valuesBeyondTheRange_stayInThePanel();
     void everyView_dark_isDark();
     void saveFigure_eachEnding_writesThatFormat();
@@ -316,6 +320,52 @@ void TestWidgetsFigures::everyView_extremeAndMissingValues_draws()
                  qPrintable(view->accessibleName()));
         QVERIFY(coloursOf(figureAsImage(*view, view->figureSize())) > 5);
     }
+}
+
+void TestWidgetsFigures::density_ofRuns_countsEverySampleOnce()
+{
+    Eigen::Index usable = 0;
+    for (const auto &run : m_runs)
+        usable += std::count(run->usableForTraining.begin(), run->usableForTraining.end(), 1);
+    const ModelCurve curve = modelCurve(test::syntheticRbf());
+    const TcqDensity density = tcqDensity(m_runs, &curve);
+    for (const auto *rows : {&density.tde, &density.residual}) {
+        for (const DirectedDensity &axis : *rows)
+            QCOMPARE(Eigen::Index(axis.heating.samples.sum()) + Eigen::Index(axis.cooling.samples.sum()),
+                     usable);
+    }
+    QVERIFY(tcqDensity(m_runs, nullptr).residual[0].heating.empty());
+    QVERIFY(tcqDensity({}, nullptr).tde[0].heating.empty());
+}
+
+void TestWidgetsFigures::density_curveThroughAllSamples_leavesItsResidualAroundZero()
+{
+    const ModelCurve curve = modelCurve(test::syntheticRbf());
+    auto run = std::make_shared<RunFeatures>(*m_runs.front());
+    for (Eigen::Index i = 0; i < run->deltaT.size(); ++i) {
+        for (int axis = 0; axis < 3; ++axis)
+            run->tdeDps(i, axis) = interpolated(curve, axis, run->deltaT[i]) + (i % 2 == 0 ? 0.5 : -0.5);
+    }
+    const TcqDensity density = tcqDensity({run}, &curve);
+    for (const DirectedDensity &axis : density.residual) {
+        const Eigen::MatrixXi &samples = axis.heating.empty() ? axis.cooling.samples : axis.heating.samples;
+        const Eigen::Index last = samples.rows() - 1;
+        QCOMPARE(samples.row(0).sum() + samples.row(last).sum(), samples.sum());
+        QVERIFY(std::abs(samples.row(0).sum() - samples.row(last).sum()) <= 1 + samples.sum() / 10);
+    }
+}
+
+void TestWidgetsFigures::scatter_withDensity_drawsCellsForDots()
+{
+    TcqScatterData data = scatterData(1);
+    TcqScatterView dots;
+    dots.setData(data);
+    data.density = std::make_shared<const TcqDensity>(tcqDensity(m_runs, &data.curves.front()));
+    TcqScatterView cells;
+    cells.setData(data);
+    keep(cells, "tcq_density_y");
+    const auto rectangles = [](const QString &svg) { return svg.count(QStringLiteral("<rect")); };
+    QVERIFY(rectangles(svgOf(cells)) > rectangles(svgOf(dots)) + 500);
 }
 
 // Vector files have no clipping to rely on: coordinates themselves must stay in the picture.

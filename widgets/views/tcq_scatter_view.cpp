@@ -79,10 +79,28 @@ static void includeDots(const ScatterDots &dots, Extent &deltaT, Extent &values)
     }
 }
 
-static void drawDots(QCPAxisRect &rect, const ScatterDots &dots, int quantity, const Palette &look)
+static void includeGrids(const DirectedDensity &density, Extent &deltaT, Extent &values)
+{
+    for (const DensityGrid *grid : {&density.heating, &density.cooling}) {
+        if (grid->empty())
+            continue;
+        for (const double edge : {grid->lowestDeltaT, grid->highestDeltaT})
+            deltaT.include(edge);
+        for (const double edge : {grid->lowestDps, grid->highestDps})
+            values.include(edge);
+    }
+}
+
+static void drawDots(QCPAxisRect &rect, const ScatterDots &dots, const DirectedDensity *density, int quantity,
+                     const Palette &look)
 {
     addDots(rect, quantityOf(dots.excluded.deltaT, quantity), dots.excluded.valueDps, look.excluded, 1.5,
             TcqScatterView::tr("Excluded"));
+    if (density) {
+        addDensity(rect, density->heating, quantity, look.heating, TcqScatterView::tr("Heating"));
+        addDensity(rect, density->cooling, quantity, look.cooling, TcqScatterView::tr("Cooling"));
+        return;
+    }
     addDots(rect, quantityOf(dots.heating.deltaT, quantity), dots.heating.valueDps, look.heating, 1.5,
             TcqScatterView::tr("Heating"));
     addDots(rect, quantityOf(dots.cooling.deltaT, quantity), dots.cooling.valueDps, look.cooling, 1.5,
@@ -212,6 +230,14 @@ void TcqScatterView::build()
     includeDots(tde, deltaT, tdeExtent);
     includeDots(left, deltaT, leftExtent);
     leftExtent.include(0.0);
+    const auto axis = static_cast<std::size_t>(m_data.axis);
+    const std::array<const DirectedDensity *, 2> density{
+        m_data.density ? &m_data.density->tde[axis] : nullptr,
+        m_data.density ? &m_data.density->residual[axis] : nullptr};
+    if (m_data.density) {
+        includeGrids(*density[0], deltaT, tdeExtent);
+        includeGrids(*density[1], deltaT, leftExtent);
+    }
 
     addLegendRow(tde);
     QCPLayoutGrid &grid = addPanels(true);
@@ -232,7 +258,7 @@ void TcqScatterView::build()
                 hideAxisText(bottom);
             if (hasCurve && m_data.band)
                 drawBand(rect, m_data, quantity, row == 1, look().border);
-            drawDots(rect, row == 0 ? tde : left, quantity, look());
+            drawDots(rect, row == 0 ? tde : left, density[static_cast<std::size_t>(row)], quantity, look());
             drawSelected(rect, quantity, row == 1);
             if (row == 1)
                 addHorizontal(rect, 0.0, zeroPen(look()));

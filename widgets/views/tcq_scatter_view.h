@@ -7,6 +7,7 @@
 #include "engine/models/trained_model.h"
 #include "widgets/plot/plot_view.h"
 #include "widgets/views/model_curve.h"
+#include "widgets/views/tcq_density.h"
 
 #include <memory>
 #include <optional>
@@ -21,6 +22,8 @@ struct TcqScatterData
 {
     int axis = 0; // 0, 1, 2: x, y, z
     std::vector<std::shared_ptr<const RunFeatures>> runs;
+    // Drawn instead of the runs' dots, where it is given: of more samples than dots could show.
+    std::shared_ptr<const TcqDensity> density;
     // The first is the main one: the residuals are against it and the band is drawn around it.
     std::vector<ModelCurve> curves;
     std::optional<UncertaintyBand> band;

@@ -209,6 +209,16 @@ static void addCurve(InspectionData &seen, const TrainingSet &set,
     seen.inspection = inspectCampaign(set, curve);
 }
 
+static void addDensity(InspectionData &seen, const TrainingSet &set)
+{
+    Eigen::Index samples = 0;
+    for (const auto &run : set.runs)
+        samples += run->deltaT.size();
+    if (samples >= kDensityFrom)
+        seen.density =
+            std::make_shared<const TcqDensity>(tcqDensity(set.runs, seen.curve ? &*seen.curve : nullptr));
+}
+
 static void addOverTime(InspectionData &seen, const TrainingSet &set)
 {
     for (std::size_t r = 0; r < seen.runs.size(); ++r) {
@@ -259,6 +269,7 @@ Result<InspectionData> inspect(const std::shared_ptr<const PreparedCampaign> &pr
     addCurve(seen, set, model, hook);
     if (!goOn(0.8))
         return stopped;
+    addDensity(seen, set);
     addOverTime(seen, set);
     return seen;
 }

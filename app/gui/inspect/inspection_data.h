@@ -8,6 +8,7 @@
 #include "engine/evaluation/campaign_inspection.h"
 #include "engine/models/trained_model.h"
 #include "widgets/views/model_curve.h"
+#include "widgets/views/tcq_density.h"
 #include "widgets/views/tcq_time_view.h"
 
 #include <Eigen/Core>
@@ -65,6 +66,7 @@ struct InspectionData
     bool simulated = false;
     std::optional<ModelCurve> curve;              // nothing where none can be fitted
     std::optional<CampaignInspection> inspection; // likewise
+    std::shared_ptr<const TcqDensity> density;    // of all samples, where dots would be a blot
     ExcludedDots excludedDots;
     std::vector<ExcludedStretch> excluded;
     std::int64_t samples = 0;

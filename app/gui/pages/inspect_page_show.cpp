@@ -147,6 +147,7 @@ void InspectPage::showScatter()
     for (const InspectedRun &run : m_seen->runs)
         shown.runs.push_back(run.dots);
     shown.referenceTemperatureC = m_seen->referenceTemperatureC;
+    shown.density = m_seen->density;
     if (m_seen->curve && m_seen->inspection) {
         shown.curves = {*m_seen->curve};
         UncertaintyBand band;
