@@ -4,9 +4,9 @@
 //   --bench-first-paint    prints the time from main() to the first paint of the window, and ends
 #include "app/gui/app_context.h"
 #include "app/gui/event_log.h"
-#include "app/gui/language.h"
 #include "app/gui/main_window.h"
 #include "app/gui/workbench.h"
+#include "app/language/language.h"
 #include "widgets/controls/icon.h"
 #include "widgets/style/theme.h"
 

@@ -1,10 +1,10 @@
 #include "app/gui/main_window_menus.h"
 
 #include "app/gui/event_log.h"
-#include "app/gui/language.h"
 #include "app/gui/shortcut_overview.h"
 #include "app/gui/step_rail.h"
 #include "app/gui/workbench.h"
+#include "app/language/language.h"
 #include "widgets/controls/action_button.h"
 #include "widgets/style/theme.h"
 
@@ -182,7 +182,6 @@ void MainWindow::buildEventLog()
     m_eventDock->setAllowedAreas(Qt::BottomDockWidgetArea | Qt::RightDockWidgetArea);
     auto *table = new QTableView(m_eventDock);
     table->setModel(&m_context.events);
-    table->setAccessibleName(tr("Event log"));
     table->verticalHeader()->hide();
     table->verticalHeader()->setDefaultSectionSize(24);
     table->horizontalHeader()->setStretchLastSection(true);
@@ -204,6 +203,7 @@ void MainWindow::retranslate()
 {
     retranslateMenus();
     m_eventDock->setWindowTitle(tr("Event log"));
+    m_eventDock->widget()->setAccessibleName(tr("Event log"));
     m_rail->setAccessibleName(tr("Steps"));
     m_rail->steps().retranslate();
     for (const Step step : kSteps)

@@ -1,4 +1,5 @@
 // What the window does with the session as a file, and what it keeps of itself.
+#include "app/gui/banner_of.h"
 #include "app/gui/event_log.h"
 #include "app/gui/file_dialogs.h"
 #include "app/gui/main_window.h"
@@ -6,6 +7,7 @@
 #include "app/gui/workbench.h"
 #include "widgets/style/number_text.h"
 
+#include <QMenuBar>
 #include <QMessageBox>
 #include <QSplitter>
 #include <QUndoStack>
@@ -93,6 +95,7 @@ void MainWindow::showSession()
     m_corner->setToolTip(session.isReadOnly() ? session.readOnlyReason()
                                               : QString::fromStdString(session.path().string()));
     m_corner->adjustSize();
+    menuBar()->setCornerWidget(m_corner, Qt::TopRightCorner); // which only then looks how wide it is
     setWindowTitle(session.isUnnamed() ? tr("Driftbench") : tr("%1 – Driftbench").arg(session.name()));
 }
 
@@ -110,7 +113,8 @@ void MainWindow::logEvents()
     });
     Acquisition &acquisition = m_bench.acquisition();
     connect(&acquisition, &Acquisition::started, &log, [&log](const SourceInfo &info) {
-        log.add(EventKind::Info, tr("%1 runs.").arg(QString::fromStdString(info.name)));
+        //: %1 is the name of a source
+        log.add(EventKind::Info, tr("%1 is running.").arg(QString::fromStdString(info.name)));
     });
     connect(&acquisition, &Acquisition::event, &log,
             [&log](const QString &sentence) { log.add(EventKind::Caution, sentence); });
@@ -146,21 +150,17 @@ void MainWindow::restoreSession()
         const RunRecord *run = session.run(session.recoveredRuns().back());
         const QString samples = run ? numberText(static_cast<double>(run->samples), 0) : QString();
         page(m_step)->banners().post(
-            kRestored, {BannerKind::Info,
-                        tr("Session restored."),
-                        tr("Recording stopped when the program ended. %1 samples are safe.").arg(samples),
-                        {},
-                        {},
-                        {},
-                        true});
+            kRestored,
+            bannerOf(
+                BannerKind::Info, [] { return tr("Session restored."); },
+                [samples] {
+                    return tr("Recording stopped when the program ended. %1 samples are safe.").arg(samples);
+                }));
     } else if (!unnamed.empty()) {
-        page(m_step)->banners().post(kRestored, {BannerKind::Info,
-                                                 tr("Session restored."),
-                                                 tr("It has no name yet; Save gives it one."),
-                                                 {},
-                                                 {},
-                                                 {},
-                                                 true});
+        page(m_step)->banners().post(kRestored,
+                                     bannerOf(
+                                         BannerKind::Info, [] { return tr("Session restored."); },
+                                         [] { return tr("It has no name yet; Save gives it one."); }));
     }
 }
 

@@ -1,5 +1,6 @@
 // driftbench-report: the figures of a fit, or of the physics of the combs, as SVG, PDF, PNG and one page that
 // shows them all. Needs no display.
+#include "app/language/language.h"
 #include "app/report/figure_list.h"
 #include "app/report/index_page.h"
 #include "app/report/physics_figures.h"
@@ -152,6 +153,8 @@ int main(int argc, char **argv)
     // The order in which axes are drawn follows a hash: the same fit shall give the same files.
     QHashSeed::setDeterministicGlobalSeed();
     const QApplication application(argc, argv);
+    Language language;
+    language.set(QStringLiteral("en"));
     QLocale::setDefault(QLocale::c());
     const Status status = writeReport(arguments);
     if (!status) {

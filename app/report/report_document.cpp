@@ -185,9 +185,9 @@ static QStringList methodText(const ReportData &data)
     return {
         ReportText::tr(
             "Each model estimates the rate error as a function of temperature alone and is judged "
-            "only on runs that it has not seen (%1). The noise floor is the variance within 0.5 °C: "
+            "only on runs that it has not seen. %1. The noise floor is the variance within 0.5 °C: "
             "what no function of temperature removes. Excess is what a model leaves above it.")
-            .arg(holdOutText(data).toLower()),
+            .arg(holdOutText(data)),
         ReportText::tr(
             "Conventional 1 is a line in ΔT, Conventional 2 a BP network 2-10-1, Novel an RBF "
             "network on ΔT, ΔT² and √ΔT; cubic is the model of PX4 and ArduPilot, constant the bias "

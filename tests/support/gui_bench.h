@@ -3,6 +3,7 @@
 
 #include "app/gui/app_context.h"
 #include "app/gui/event_log.h"
+#include "app/gui/page.h"
 #include "app/gui/workbench.h"
 #include "support/session_runs.h"
 #include "widgets/style/theme.h"

@@ -4,11 +4,11 @@
 
 #include "app/gui/app_context.h"
 #include "app/gui/event_log.h"
-#include "app/gui/language.h"
 #include "app/gui/main_window.h"
 #include "app/gui/pages/plan_page.h"
 #include "app/gui/pages/source_page.h"
 #include "app/gui/workbench.h"
+#include "app/language/language.h"
 #include "widgets/style/theme.h"
 
 #include <QTemporaryDir>
@@ -36,6 +36,7 @@ struct GuiWindow
             qFatal("%s", made.error().message.c_str());
         bench = *std::move(made);
         context.workbench = bench.get();
+        language.set(settings.language.isEmpty() ? QStringLiteral("en") : settings.language);
         m_main = std::make_unique<MainWindow>(context, language);
         m_main->show();
         if (!QTest::qWaitForWindowExposed(m_main.get()))

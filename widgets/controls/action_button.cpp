@@ -6,6 +6,7 @@
 #include "widgets/style/theme.h"
 
 #include <QPainter>
+#include <QRegularExpression>
 #include <QStyleOptionButton>
 
 namespace driftbench {
@@ -84,6 +85,10 @@ QString ActionButton::shownText() const
     QString text = m_action ? m_action->iconText() : QPushButton::text();
     if (m_action && m_action->text().endsWith(QStringLiteral("…")) && !text.endsWith(QStringLiteral("…")))
         text += QStringLiteral("…");
+    // Chinese and Japanese have the letter of the menu behind the word, in brackets: "文件(&F)".
+    static const QRegularExpression behind(QStringLiteral("\\(&(.)\\)"));
+    if (const auto letter = behind.match(m_action ? m_action->text() : text); letter.hasMatch())
+        text.remove(letter.captured()).remove(QLatin1Char('(') + letter.captured(1) + QLatin1Char(')'));
     return text.remove(QLatin1Char('&'));
 }
 

@@ -2,6 +2,7 @@
 
 #include "widgets/style/control_paint.h"
 
+#include <QEvent>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -26,12 +27,34 @@ BannerSlot::BannerSlot(QWidget *parent) : QWidget(parent), m_banner(new Banner(t
 
 void BannerSlot::post(const QString &key, const BannerContent &content)
 {
-    const auto same =
-        std::find_if(m_messages.begin(), m_messages.end(), [&](const Message &m) { return m.key == key; });
+    put({key, content, {}});
+}
+
+void BannerSlot::post(const QString &key, std::function<BannerContent()> content)
+{
+    put({key, content(), content});
+}
+
+void BannerSlot::put(Message message)
+{
+    const auto same = std::find_if(m_messages.begin(), m_messages.end(),
+                                   [&](const Message &m) { return m.key == message.key; });
     if (same != m_messages.end())
-        same->content = content;
+        *same = std::move(message);
     else
-        m_messages.push_back({key, content});
+        m_messages.push_back(std::move(message));
+    showMostUrgent();
+}
+
+void BannerSlot::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() != QEvent::LanguageChange)
+        return;
+    for (Message &message : m_messages) {
+        if (message.again)
+            message.content = message.again();
+    }
     showMostUrgent();
 }
 

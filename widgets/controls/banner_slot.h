@@ -6,6 +6,7 @@
 
 #include <QWidget>
 
+#include <functional>
 #include <vector>
 
 namespace driftbench {
@@ -18,6 +19,7 @@ public:
     explicit BannerSlot(QWidget *parent = nullptr);
 
     void post(const QString &key, const BannerContent &content); // replaces what stands under the key
+    void post(const QString &key, std::function<BannerContent()> content); // asked again in another language
     void withdraw(const QString &key);
     bool holds(const QString &key) const;
     const Banner &banner() const { return *m_banner; }
@@ -25,13 +27,18 @@ public:
 signals:
     void dismissed(const QString &key); // closed by the user; it is withdrawn already
 
+protected:
+    void changeEvent(QEvent *event) override;
+
 private:
     struct Message
     {
         QString key;
         BannerContent content;
+        std::function<BannerContent()> again; // empty: the content stays as it is
     };
 
+    void put(Message message);
     void showMostUrgent();
 
     std::vector<Message> m_messages; // the latest last

@@ -122,6 +122,16 @@ void NumberField::placeUnit()
     m_unit->raise();
 }
 
+// Written anew as the language writes numbers; the value stays.
+void NumberField::changeEvent(QEvent *event)
+{
+    QDoubleSpinBox::changeEvent(event);
+    if (event->type() != QEvent::LanguageChange)
+        return;
+    setLocale(QLocale());
+    setSpecialValueText(specialValueText());
+}
+
 void NumberField::wheelEvent(QWheelEvent *event)
 {
     // A page that is scrolled must not change what the mouse happens to be over.

@@ -98,6 +98,8 @@ void SegmentedButtons::setTexts(const QStringList &texts)
         auto *segment = static_cast<Segment *>(m_group.button(i));
         if (!segment) {
             segment = new Segment(m_size, this);
+            segment->setSizePolicy(m_stretched ? QSizePolicy::Expanding : QSizePolicy::Fixed,
+                                   QSizePolicy::Fixed);
             m_group.addButton(segment, i);
             m_layout->addWidget(segment);
         }

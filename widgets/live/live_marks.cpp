@@ -20,9 +20,9 @@ static constexpr int kLabelGap = 3;
 
 namespace {
 
-QString markWords(const char *text)
+QString markWords(const char *text, int count = -1)
 {
-    return QCoreApplication::translate("driftbench::LiveMarks", text);
+    return QCoreApplication::translate("driftbench::LiveMarks", text, nullptr, count);
 }
 
 double pixelOf(const QCPAxisRect &panel, double timeS)
@@ -213,11 +213,13 @@ QString LiveMarks::textAt(const QPointF &place) const
         if (std::abs(pixelOf(panel, gap.startS) - place.x()) > kCatch)
             continue;
         const QString where = clockText(gap.startS);
-        lines.append(gap.lostSamples < 0
-                         ? markWords(QT_TRANSLATE_NOOP("driftbench::LiveMarks", "%1: samples missing, %2"))
-                               .arg(where, gap.cause)
-                         : markWords(QT_TRANSLATE_NOOP("driftbench::LiveMarks", "%1: %2 samples dropped, %3"))
-                               .arg(where, numberText(static_cast<double>(gap.lostSamples), 0), gap.cause));
+        lines.append(
+            gap.lostSamples < 0
+                ? markWords(QT_TRANSLATE_NOOP("driftbench::LiveMarks", "%1: samples missing, %2"))
+                      .arg(where, gap.cause)
+                : markWords(QT_TRANSLATE_N_NOOP("driftbench::LiveMarks", "%1: %n samples dropped, %2"),
+                            static_cast<int>(gap.lostSamples))
+                      .arg(where, gap.cause));
     }
     for (const LiveEvent &event : events) {
         if (std::abs(pixelOf(panel, event.timeS) - place.x()) <= kCatch)

@@ -75,6 +75,7 @@ void LiveTraceView::retranslate()
     const QString name = tr("Live traces");
     setAccessibleName(name);
     m_plot->setAccessibleName(name);
+    followLocale(*m_plot);
     m_interaction->setTitle(name);
     m_strips->setKeyTitle(tr("Time since start (h:min)"), tr("Time since start (h:min:s)"));
     m_strips->setValueTitles(valueTitles());

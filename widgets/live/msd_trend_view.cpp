@@ -14,15 +14,9 @@ namespace driftbench {
 static constexpr qsizetype kMostPoints = 1200;
 static constexpr double kSmallest = 1e-9; // dps^2; a constant signal has none
 
-MsdTrendView::MsdTrendView(const Palette &look, QWidget *parent) : PlotView(tr("MSD so far"), look, parent)
+MsdTrendView::MsdTrendView(const Palette &look, QWidget *parent)
+    : PlotView([] { return tr("MSD so far"); }, look, parent)
 {
-    rebuild();
-}
-
-void MsdTrendView::retranslate()
-{
-    setAccessibleName(tr("MSD so far"));
-    plot().setAccessibleName(tr("MSD so far"));
     rebuild();
 }
 

@@ -22,7 +22,6 @@ public:
     // One point of each; after may be NaN (no model). Thinned by half when there are many.
     void append(double timeS, const Eigen::Vector3d &beforeDps2, const Eigen::Vector3d &afterDps2);
     void showTrend(); // what was appended, drawn anew
-    void retranslate();
 
     QSize figureSize() const override { return {280, 280}; }
 

@@ -19,6 +19,14 @@ void applyPlotStyle(QCustomPlot &plot, const Palette &palette)
     plot.setNotAntialiasedElements(QCP::aeAxes | QCP::aeGrid | QCP::aeSubGrid | QCP::aeFills |
                                    QCP::aeZeroLine);
     plot.setFont(noteFont());
+    followLocale(plot);
+}
+
+void followLocale(QCustomPlot &plot)
+{
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    plot.setLocale(locale);
 }
 
 static void styleAxis(QCPAxis &axis, const Palette &palette)

@@ -15,6 +15,7 @@ class QCustomPlot;
 namespace driftbench {
 
 void applyPlotStyle(QCustomPlot &plot, const Palette &palette);
+void followLocale(QCustomPlot &plot); // numbers as the user writes them, after the language has changed too
 void applyPlotStyle(QCPAxisRect &rect, const Palette &palette); // linear axes with plain numbers
 
 QPen referencePen(const Palette &palette); // dashed: reference, limit, plan

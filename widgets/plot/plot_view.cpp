@@ -5,6 +5,7 @@
 #include "widgets/plot/plot_interaction.h"
 #include "widgets/plot/plot_style.h"
 
+#include <QEvent>
 #include <QVBoxLayout>
 
 namespace driftbench {
@@ -14,17 +15,31 @@ static constexpr int kColumnSpacing = 8;
 static constexpr int kPlotMargin = 12;
 static constexpr double kFirstColumnStretch = 1.13; // room for the numbers left of the first column
 
-PlotView::PlotView(const QString &accessibleName, const Palette &look, QWidget *parent)
-    : QWidget(parent), m_look(look), m_plot(new QCustomPlot(this))
+PlotView::PlotView(std::function<QString()> name, const Palette &look, QWidget *parent)
+    : QWidget(parent), m_name(std::move(name)), m_look(look), m_plot(new QCustomPlot(this))
 {
-    setAccessibleName(accessibleName);
-    m_plot->setAccessibleName(accessibleName);
+    showName();
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_plot);
 }
 
 PlotView::~PlotView() = default;
+
+void PlotView::showName()
+{
+    setAccessibleName(m_name());
+    m_plot->setAccessibleName(m_name());
+}
+
+void PlotView::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() != QEvent::LanguageChange)
+        return;
+    showName();
+    rebuild();
+}
 
 void PlotView::setLook(const Palette &look)
 {

@@ -1,7 +1,8 @@
 // What all views have in common: a widget that holds one plot, a look (light or dark), and a sentence in
 // place of the plot where there is nothing to show. A view is given plain engine values and draws them; it
-// changes nothing. The legend is part of the plot, so a picture of the plot is a picture of the view; a page
-// that has its own row for it (LegendRow) takes it out.
+// changes nothing. Its texts come from build() and from its name, which are asked again when the language
+// changes. The legend is part of the plot, so a picture of the plot is a picture of the view; a page that has
+// its own row for it (LegendRow) takes it out.
 #pragma once
 
 #include "widgets/plot/legend_painter.h"
@@ -9,6 +10,7 @@
 
 #include <QWidget>
 
+#include <functional>
 #include <vector>
 
 class QCPAxisRect;
@@ -51,7 +53,10 @@ signals:
     void rebuilt(); // data, look or legend changed
 
 protected:
-    PlotView(const QString &accessibleName, const Palette &look, QWidget *parent);
+    // name: what the plot shows, for those who don't see it and for files.
+    PlotView(std::function<QString()> name, const Palette &look, QWidget *parent);
+
+    void changeEvent(QEvent *event) override;
 
     void rebuild(); // after the data or the look changed
     virtual void build() = 0;
@@ -66,7 +71,9 @@ protected:
 
 private:
     void clearPlot();
+    void showName();
 
+    std::function<QString()> m_name;
     Palette m_look;
     QCustomPlot *m_plot;
     std::vector<QCPMarginGroup *> m_marginGroups;

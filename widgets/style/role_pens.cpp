@@ -1,6 +1,17 @@
 #include "widgets/style/role_pens.h"
 
+#include <QCoreApplication>
+
 namespace driftbench {
+
+namespace {
+
+class ModelLabels
+{
+    Q_DECLARE_TR_FUNCTIONS(driftbench::ModelLabels)
+};
+
+} // namespace
 
 QColor roleColor(Role role, const Palette &palette)
 {
@@ -70,21 +81,21 @@ Role roleOfModel(std::string_view name)
 QString modelLabel(std::string_view name)
 {
     if (name == "rbf")
-        return QStringLiteral("RBF network");
+        return ModelLabels::tr("RBF network");
     if (name == "rbf-paper")
-        return QStringLiteral("RBF network, as in the paper");
+        return ModelLabels::tr("RBF network, as in the paper");
     if (name == "bpnn")
-        return QStringLiteral("BP network");
+        return ModelLabels::tr("BP network");
     if (name == "cubic")
-        return QStringLiteral("cubic");
+        return ModelLabels::tr("cubic");
     if (name == "cubic-ardupilot")
-        return QStringLiteral("cubic, as ArduPilot");
+        return ModelLabels::tr("cubic, as ArduPilot");
     if (name == "linear")
-        return QStringLiteral("line");
+        return ModelLabels::tr("line");
     if (name == "constant")
-        return QStringLiteral("constant");
+        return ModelLabels::tr("constant");
     if (name == "auto")
-        return QStringLiteral("recommended model of each axis");
+        return ModelLabels::tr("recommended model of each axis");
     return QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
 }
 

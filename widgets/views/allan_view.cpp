@@ -17,7 +17,7 @@ static constexpr double kFreeEndsFrom = 100.0;
 static constexpr double kFreeEnd = 1.15;
 
 AllanView::AllanView(const Palette &look, QWidget *parent)
-    : PlotView(tr("Allan deviation before and after compensation"), look, parent)
+    : PlotView([] { return tr("Allan deviation before and after compensation"); }, look, parent)
 {
     rebuild();
 }

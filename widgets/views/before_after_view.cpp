@@ -19,7 +19,7 @@ static constexpr int kRateTicks = 4; // the strips are low
 static constexpr int kTemperatureTicks = 3;
 
 BeforeAfterView::BeforeAfterView(const Palette &look, QWidget *parent)
-    : PlotView(tr("Rates before and after compensation"), look, parent)
+    : PlotView([] { return tr("Rates before and after compensation"); }, look, parent)
 {
     rebuild();
 }

@@ -29,7 +29,7 @@ static QString nameOf(CentresView::Part part)
 }
 
 CentresView::CentresView(const Palette &look, QWidget *parent, Part part)
-    : PlotView(nameOf(part), look, parent), m_part(part)
+    : PlotView([part] { return nameOf(part); }, look, parent), m_part(part)
 {
     rebuild();
 }

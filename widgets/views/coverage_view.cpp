@@ -28,7 +28,7 @@ protected:
 } // namespace
 
 CoverageView::CoverageView(const Palette &look, QWidget *parent)
-    : PlotView(tr("Coverage of the temperature range"), look, parent)
+    : PlotView([] { return tr("Coverage of the temperature range"); }, look, parent)
 {
     setLegendInside(false);
     PlotInteraction &interaction = enableInteraction();
@@ -40,13 +40,6 @@ CoverageView::CoverageView(const Palette &look, QWidget *parent)
         if (m_selectedC)
             emit selected(m_selectedC->first, m_selectedC->second);
     });
-    rebuild();
-}
-
-void CoverageView::retranslate()
-{
-    setAccessibleName(tr("Coverage of the temperature range"));
-    plot().setAccessibleName(tr("Coverage of the temperature range"));
     rebuild();
 }
 

@@ -19,7 +19,6 @@ public:
     // wanted: the plan's range; nothing: that of the data.
     void setData(TemperatureCoverage coverage, std::optional<std::pair<double, double>> wantedC);
     void setSelection(const std::optional<std::pair<double, double>> &rangeC);
-    void retranslate();
 
     QSize figureSize() const override { return {296, 152}; }
 

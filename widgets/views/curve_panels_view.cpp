@@ -12,7 +12,7 @@ static constexpr int kWidth = 1040;
 static constexpr int kRowHeight = 300;
 
 CurvePanelsView::CurvePanelsView(const QString &accessibleName, const Palette &look, QWidget *parent)
-    : PlotView(accessibleName, look, parent)
+    : PlotView([accessibleName] { return accessibleName; }, look, parent)
 {
     rebuild();
 }

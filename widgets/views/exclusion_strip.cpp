@@ -102,7 +102,7 @@ private:
 };
 
 ExclusionStrip::ExclusionStrip(const Palette &look, QWidget *parent)
-    : PlotView(tr("Drift error over time"), look, parent)
+    : PlotView([] { return tr("Drift error over time"); }, look, parent)
 {
     setLegendInside(false);
     PlotInteraction &interaction = enableInteraction();
@@ -130,13 +130,6 @@ ExclusionStrip::ExclusionStrip(const Palette &look, QWidget *parent)
 ExclusionStrip::~ExclusionStrip()
 {
     plot().removeEventFilter(this);
-}
-
-void ExclusionStrip::retranslate()
-{
-    setAccessibleName(tr("Drift error over time"));
-    plot().setAccessibleName(tr("Drift error over time"));
-    rebuild();
 }
 
 void ExclusionStrip::setData(StripData shown)

@@ -49,7 +49,6 @@ public:
     void setSelection(const std::optional<StripRange> &selection);
     void setPicked(std::optional<std::size_t> range);
     std::optional<StripRange> selection() const { return m_selection; }
-    void retranslate();
 
     double secondAt(double pixel) const;
     double pixelOf(double second) const;

@@ -20,7 +20,8 @@ static constexpr int kTicks = 4;     // the panels are low
 static constexpr double kLowestDeviationDps = 1e-9;
 
 JudgedRunView::JudgedRunView(const Palette &look, QWidget *parent)
-    : PlotView(tr("Held-out run before and after compensation, and its Allan deviation"), look, parent)
+    : PlotView([] { return tr("Held-out run before and after compensation, and its Allan deviation"); }, look,
+               parent)
 {
     rebuild();
 }

@@ -16,7 +16,7 @@ static constexpr std::size_t kMostNamed = 5;
 static constexpr double kRoom = 0.08; // of the span of temperatures, below and above
 
 ProfileView::ProfileView(const Palette &look, QWidget *parent)
-    : PlotView(tr("Set points of one run over time"), look, parent)
+    : PlotView([] { return tr("Set points of one run over time"); }, look, parent)
 {
     rebuild();
 }
@@ -32,9 +32,8 @@ static QString segmentText(const PlanSegment &segment, const TestPlan &plan)
     if (segment.isHold())
         return ProfileView::tr("hold %1").arg(hourMinuteText(segment.durationS / 3600.0));
     const auto steps = std::llround(std::ceil(std::abs(segment.toC - segment.fromC) / plan.stepC - 1e-9));
-    return ProfileView::tr("%1 steps of %2 °C, %3 °C/min")
-        .arg(numberText(static_cast<double>(steps), 0), numberText(plan.stepC, 2),
-             numberText(segment.rateCPerMin(), 2));
+    return ProfileView::tr("%n steps of %1 °C, %2 °C/min", nullptr, static_cast<int>(steps))
+        .arg(numberText(plan.stepC, 2), numberText(segment.rateCPerMin(), 2));
 }
 
 // Beside the middle of its stretch, on the side where the line is not.

@@ -16,7 +16,7 @@ static constexpr double kCellC = 1.0;
 static constexpr double kSameSpanUpTo = 4.0; // axes whose spans differ by more get each their own
 
 ResidualView::ResidualView(const Palette &look, QWidget *parent)
-    : PlotView(tr("Residual against temperature"), look, parent)
+    : PlotView([] { return tr("Residual against temperature"); }, look, parent)
 {
     rebuild();
 }

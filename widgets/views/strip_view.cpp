@@ -9,8 +9,6 @@
 #include "widgets/style/number_text.h"
 #include "widgets/style/role_pens.h"
 
-#include <QEvent>
-
 #include <cmath>
 
 namespace driftbench {
@@ -21,7 +19,7 @@ static constexpr double kRateOverS = 2.0;
 static constexpr int kTemperature = kAxisCount;
 
 StripView::StripView(const Palette &look, QWidget *parent)
-    : PlotView(tr("The last minute of the source"), look, parent)
+    : PlotView([] { return tr("The last minute of the source"); }, look, parent)
 {
     m_repaint.setSingleShot(true);
     m_repaint.setInterval(kRepaintMs);
@@ -162,13 +160,6 @@ void StripView::build()
         }
         grid.setRowStretchFactor(strip, strip < kTemperature ? 1.0 : 0.9);
     }
-}
-
-void StripView::changeEvent(QEvent *event)
-{
-    PlotView::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        rebuild();
 }
 
 } // namespace driftbench

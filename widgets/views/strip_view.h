@@ -34,7 +34,6 @@ public:
 
 protected:
     void build() override;
-    void changeEvent(QEvent *event) override;
 
 private:
     struct Stretch

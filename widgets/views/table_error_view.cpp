@@ -18,7 +18,7 @@ static constexpr double kLowestShownMdps = 1e-4;
 static constexpr int kDifferencePoints = 241;
 
 TableErrorView::TableErrorView(const Palette &look, QWidget *parent)
-    : PlotView(tr("Worst error of the table in each cell"), look, parent)
+    : PlotView([] { return tr("Worst error of the table in each cell"); }, look, parent)
 {
     rebuild();
 }
@@ -104,7 +104,7 @@ void TableErrorView::build()
 }
 
 TableDifferenceView::TableDifferenceView(const Palette &look, QWidget *parent)
-    : PlotView(tr("New table less the one on the device"), look, parent)
+    : PlotView([] { return tr("New table less the one on the device"); }, look, parent)
 {
     rebuild();
 }

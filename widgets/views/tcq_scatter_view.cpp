@@ -18,7 +18,7 @@ namespace driftbench {
 static constexpr double kSelectedDot = 3.0;
 
 TcqScatterView::TcqScatterView(const Palette &look, QWidget *parent)
-    : PlotView(tr("Drift error against the temperature quantities"), look, parent)
+    : PlotView([] { return tr("Drift error against the temperature quantities"); }, look, parent)
 {
     rebuild();
 }

@@ -15,7 +15,7 @@ static constexpr int kColumns = 420;
 static constexpr double kLastRowStretch = 1.28; // room for the time below it
 
 TcqTimeView::TcqTimeView(const Palette &look, QWidget *parent)
-    : PlotView(tr("Temperature quantities and drift error over time"), look, parent)
+    : PlotView([] { return tr("Temperature quantities and drift error over time"); }, look, parent)
 {
     rebuild();
 }

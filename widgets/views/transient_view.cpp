@@ -15,7 +15,8 @@ static constexpr int kPoints = 240;
 static constexpr double kShownBeyond = 1.7; // of the time of settling
 
 TransientView::TransientView(const Palette &look, QWidget *parent)
-    : PlotView(tr("What is left of a step at the centre of the chamber, over time"), look, parent)
+    : PlotView([] { return tr("What is left of a step at the centre of the chamber, over time"); }, look,
+               parent)
 {
     rebuild();
 }

@@ -15,7 +15,7 @@
 
 namespace driftbench {
 
-static constexpr std::size_t kMostRunsListed = 4;
+static constexpr int kMostRunsListed = 4;
 static constexpr double kHysteresisCounts = 2.0; // times the noise
 static constexpr int kWordGap = 8;
 
@@ -53,11 +53,11 @@ QString passText(const AxisFinding &finding)
 {
     if (!finding.limitDps || finding.runs.empty())
         return {};
-    const auto runs = finding.runs.size();
+    const auto runs = static_cast<int>(finding.runs.size());
     const auto passing = finding.passing();
     if (passing == 0)
-        return VerdictCard::tr("fails on %1 of %2 runs").arg(runs).arg(runs);
-    return VerdictCard::tr("passes on %1 of %2 runs").arg(passing).arg(runs);
+        return VerdictCard::tr("fails on %1 of %n runs", nullptr, runs).arg(runs);
+    return VerdictCard::tr("passes on %1 of %n runs", nullptr, runs).arg(passing);
 }
 
 QString FindingText::whole() const

@@ -81,7 +81,7 @@ QWidget *DevicePanel::buildFacts()
     auto *columns = new QHBoxLayout(facts);
     columns->setContentsMargins(0, 0, 0, 0);
     columns->setSpacing(kWideGap);
-    m_pairs = new DataTable(tr("On the device now against what would be written"));
+    m_pairs = new DataTable(QString());
     m_pairsModel = new PairsTableModel(this);
     m_pairs->setTableModel(m_pairsModel);
     m_pairs->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -280,6 +280,7 @@ void DevicePanel::showBytes(int step, double share)
 void DevicePanel::showUploadIdle()
 {
     m_fraction = 0.0;
+    m_showOutcome = {};
     m_steps->setState(UploadSteps::State::Idle);
     for (int step = 0; step < UploadSteps::kSteps; ++step)
         m_steps->setDetail(static_cast<UploadSteps::Step>(step), {});
@@ -322,8 +323,11 @@ void DevicePanel::uploaded(const Result<UploadOutcome> &outcome)
     if (!outcome) {
         const bool cancelled = outcome.error().code == Errc::Cancelled;
         m_steps->setState(UploadSteps::State::Failed, m_steps->current());
-        m_title->setText(cancelled ? tr("Cancelled") : tr("Not written"));
-        m_note->setText({});
+        m_showOutcome = [this, cancelled] {
+            m_title->setText(cancelled ? tr("Cancelled") : tr("Not written"));
+            m_note->setText({});
+        };
+        m_showOutcome();
         showWord(QString::fromStdString(outcome.error().message), int(cancelled ? Tone::Plain : Tone::Bad));
         emit told(!cancelled, cancelled ? tr("The upload was cancelled.") : tr("The table was not written."),
                   QString::fromStdString(outcome.error().message));
@@ -333,23 +337,29 @@ void DevicePanel::uploaded(const Result<UploadOutcome> &outcome)
     const TableUploadReport &report = outcome->report;
     m_steps->setState(report.rolledBack ? UploadSteps::State::Failed : UploadSteps::State::Done,
                       UploadSteps::Activate);
+    m_bar->setValue(1000);
+    m_note->setText(QString::fromStdString(outcome->device.sensor.text()));
+    m_showOutcome = [this, report] { showUploaded(report); };
+    m_showOutcome();
+    record(*outcome);
+    emit told(report.rolledBack,
+              report.rolledBack ? tr("The new table was rolled back.") : tr("The table is on the device."),
+              checkText(report));
+    emit stateChanged();
+}
+
+void DevicePanel::showUploaded(const TableUploadReport &report)
+{
     // The last of the progress may never have come, where it all went fast.
     showBytes(UploadSteps::Write, 1.0);
     showBytes(UploadSteps::ReadBack, 1.0);
     m_steps->setDetail(UploadSteps::Verify, crcText(report.crc));
     m_steps->setDetail(UploadSteps::Commit, tr("gen. %1").arg(report.generation));
     m_steps->setDetail(UploadSteps::Activate, tr("bank %1").arg(bankName(report.bank)));
-    m_bar->setValue(1000);
     m_percent->setText(tr("%1 %").arg(100));
     m_title->setText(report.rolledBack ? tr("Rolled back")
                                        : tr("Bank %1 is in use").arg(bankName(report.bank)));
-    m_note->setText(QString::fromStdString(outcome->device.sensor.text()));
     showWord(checkText(report), int(report.rolledBack ? Tone::Bad : Tone::Good));
-    record(*outcome);
-    emit told(report.rolledBack,
-              report.rolledBack ? tr("The new table was rolled back.") : tr("The table is on the device."),
-              checkText(report));
-    emit stateChanged();
 }
 
 void DevicePanel::record(const UploadOutcome &outcome)
@@ -515,7 +525,10 @@ QString DevicePanel::statusText() const
 
 void DevicePanel::retranslate()
 {
-    if (!m_writing && m_steps->state() == UploadSteps::State::Idle)
+    m_pairs->setAccessibleName(tr("On the device now against what would be written"));
+    if (m_showOutcome)
+        m_showOutcome();
+    else if (!m_writing)
         showUploadIdle();
     showFacts();
 }

@@ -7,6 +7,7 @@
 
 #include <QWidget>
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -75,6 +76,7 @@ private:
     void showFacts();
     void showUploadIdle();
     void showWord(const QString &text, int tone);
+    void showUploaded(const TableUploadReport &report);
     void record(const UploadOutcome &outcome);
     QString modelOf(std::uint32_t crc) const;
 
@@ -96,7 +98,8 @@ private:
     bool m_previewStale = false;
     std::string m_modelName;
     std::optional<DeviceTables> m_tables;
-    std::optional<Error> m_problem; // of looking
+    std::optional<Error> m_problem;      // of looking
+    std::function<void()> m_showOutcome; // of the last upload, in the language of now
     bool m_writing = false;
     bool m_lookAgain = false;
     double m_fraction = 0.0;

@@ -29,7 +29,7 @@ FileChoices::FileChoices(QWidget *parent)
     , m_idLabel(new TextLabel(TextRole::Muted))
     , m_boundLabel(new TextLabel(TextRole::Muted))
     , m_deviceId(new QLineEdit)
-    , m_bound(new NumberField(tr("Largest interpolation error"), tr("mdps"), 2, 0.01, 1000.0, 0.1))
+    , m_bound(new NumberField({}, tr("mdps"), 2, 0.01, 1000.0, 0.1))
 {
     auto *rows = new QVBoxLayout(this);
     rows->setContentsMargins(0, 0, 0, 0);
@@ -209,6 +209,7 @@ void FileChoices::retranslate()
     m_force->setToolTip(
         tr("Axes whose verdict is not yes are left out unless this is on; the files say so."));
     m_boundLabel->setText(tr("Largest error"));
+    m_bound->setAccessibleName(tr("Largest interpolation error"));
     m_idLabel->setText(tr("PX4 device id"));
     m_deviceId->setAccessibleName(tr("PX4 device id"));
     m_deviceId->setToolTip(

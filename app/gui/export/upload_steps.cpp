@@ -4,6 +4,7 @@
 #include "widgets/style/fonts.h"
 #include "widgets/style/theme.h"
 
+#include <QEvent>
 #include <QPainter>
 
 namespace driftbench {
@@ -48,11 +49,23 @@ void UploadSteps::setState(State state, Step current)
 {
     m_state = state;
     m_current = current;
-    setAccessibleName(state == State::Idle ? tr("No upload under way")
-                      : state == State::Done
-                          ? tr("Upload done")
-                          : tr("Upload, step %1 of 6: %2").arg(current + 1).arg(nameOf(current)));
+    showName();
     update();
+}
+
+void UploadSteps::showName()
+{
+    setAccessibleName(m_state == State::Idle ? tr("No upload under way")
+                      : m_state == State::Done
+                          ? tr("Upload done")
+                          : tr("Upload, step %1 of 6: %2").arg(m_current + 1).arg(nameOf(m_current)));
+}
+
+void UploadSteps::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        showName();
 }
 
 void UploadSteps::setDetail(Step step, const QString &detail)

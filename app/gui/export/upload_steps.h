@@ -43,8 +43,10 @@ public:
 
 protected:
     void paintEvent(QPaintEvent *event) override;
+    void changeEvent(QEvent *event) override;
 
 private:
+    void showName();
     QString nameOf(int step) const;
     QString iconOf(int step) const;
 

@@ -45,11 +45,11 @@ ComparePage::ComparePage(AppContext &context, QWidget *parent)
     : Page(context, parent)
     , m_stack(new QStackedWidget)
     , m_empty(new EmptyState(stepIcon(Step::Compare)))
-    , m_runs(new SegmentedButtons(tr("Held-out run"), ButtonSize::Small))
+    , m_runs(new SegmentedButtons({}, ButtonSize::Small))
     , m_manyRuns(new QComboBox)
     , m_plots(new JudgedRunView)
     , m_model(new ComparisonTableModel(this))
-    , m_table(new DataTable(tr("Comparison of the models on the held-out run")))
+    , m_table(new DataTable(QString()))
     , m_reports(new ReportWriter(this))
 {
     m_report = addPageAction(QKeySequence::Print, QStringLiteral("report"), [this] { askReport(); });
@@ -84,21 +84,18 @@ void ComparePage::buildHead()
     row->setSpacing(kLabelGap);
     auto *label = new TextLabel(TextRole::Muted);
     label->setObjectName(QStringLiteral("limitLabel"));
-    m_limit =
-        new NumberField(tr("Limit of what may be left, rms"), tr("dps"), 3, kNoLimitDps, kMostLimitDps, 0.01);
-    m_limit->setSpecialValueText(tr("none"));
+    m_limit = new NumberField({}, tr("dps"), 3, kNoLimitDps, kMostLimitDps, 0.01);
     m_limit->setKeyboardTracking(false);
     m_limit->setFixedHeight(kHeadHeight);
     label->setBuddy(m_limit);
     row->addWidget(label);
     row->addWidget(m_limit);
-    m_judging = new SegmentedButtons(tr("Judging"), ButtonSize::Head);
+    m_judging = new SegmentedButtons({}, ButtonSize::Head);
     m_reportButton = new ActionButton(m_report, ButtonSize::Head);
     m_bar = new QProgressBar;
     m_bar->setFixedSize(96, 8);
     m_bar->setRange(0, 1000);
     m_bar->setTextVisible(false);
-    m_bar->setAccessibleName(tr("Progress of the report"));
     m_bar->hide();
     for (QWidget *control : std::initializer_list<QWidget *>{limit, m_judging, m_bar, m_reportButton})
         head().addControl(control);
@@ -218,8 +215,9 @@ void ComparePage::writeReport(const std::filesystem::path &file)
     const Session &session = context().workbench->session();
     if (!session.result() || !session.prepared() || session.prepared()->refusal) {
         banners().post(QString::fromLatin1(kReport),
-                       bannerOf(BannerKind::Caution, tr("There is nothing to report yet."),
-                                tr("Train a model first; its runs must be readable.")));
+                       bannerOf(
+                           BannerKind::Caution, [] { return tr("There is nothing to report yet."); },
+                           [] { return tr("Train a model first; its runs must be readable."); }));
         return;
     }
     banners().withdraw(QString::fromLatin1(kReport));
@@ -238,11 +236,14 @@ void ComparePage::reportEnded(const Status &outcome)
         const QString file = m_report->property("file").toString();
         context().events.add(EventKind::Info, tr("Report written to %1.").arg(file));
         banners().post(QString::fromLatin1(kReport),
-                       bannerOf(BannerKind::Info, tr("The report is written."), file));
+                       bannerOf(
+                           BannerKind::Info, [] { return tr("The report is written."); }, file));
         return;
     }
-    banners().post(QString::fromLatin1(kReport), bannerOf(BannerKind::Bad, tr("The report was not written."),
-                                                          QString::fromStdString(outcome.error().message)));
+    banners().post(QString::fromLatin1(kReport),
+                   bannerOf(
+                       BannerKind::Bad, [] { return tr("The report was not written."); },
+                       QString::fromStdString(outcome.error().message)));
 }
 
 void ComparePage::chooseRun(int run)
@@ -259,7 +260,6 @@ void ComparePage::chooseRun(int run)
 
 void ComparePage::showResult()
 {
-    const Session &session = context().workbench->session();
     const CalibrationResult *found = result();
     m_stack->setCurrentIndex(found != nullptr ? 1 : 0);
     m_report->setEnabled(found != nullptr && !m_reports->isRunning());
@@ -269,7 +269,6 @@ void ComparePage::showResult()
     setEmptyTexts();
     if (found != nullptr) {
         m_run = std::clamp(m_run, 0, std::max(0, static_cast<int>(found->heldOut.size()) - 1));
-        m_plots->setOrigin(session.isSimulated() ? OriginChip::words(Origin::Simulated) : QString());
         showRunChoice();
     }
     showPlan();
@@ -291,6 +290,8 @@ void ComparePage::showPlan()
                           : tr("%1 against a constant, on runs it has not seen").arg(shortModelLabel(model)));
     showCards();
     showTable();
+    m_plots->setOrigin(context().workbench->session().isSimulated() ? OriginChip::words(Origin::Simulated)
+                                                                    : QString());
     if (m_traces)
         m_plots->setData({m_traces, plan.limitRmsDps});
     emit stateChanged();
@@ -429,6 +430,11 @@ void ComparePage::retranslate()
     m_report->setToolTip(tr("Everything found as PDF or as one HTML file"));
     m_toTrain->setText(tr("Train"));
     m_manyRuns->setAccessibleName(tr("Held-out run"));
+    m_runs->setAccessibleName(tr("Held-out run"));
+    m_table->setAccessibleName(tr("Comparison of the models on the held-out run"));
+    m_limit->setAccessibleName(tr("Limit of what may be left, rms"));
+    m_judging->setAccessibleName(tr("Judging"));
+    m_bar->setAccessibleName(tr("Progress of the report"));
     m_empty->setActions({m_toTrain});
     for (std::size_t run = 0; run < m_runKeys.size(); ++run)
         m_runKeys[run]->setText(tr("Held-out run %1").arg(run + 1));

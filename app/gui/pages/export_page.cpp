@@ -50,14 +50,13 @@ ExportPage::ExportPage(AppContext &context, QWidget *parent)
     , m_tableHead(new SectionHead)
     , m_form(new QComboBox)
     , m_forms(new QStackedWidget)
-    , m_knots(new DataTable(tr("Table preview")))
+    , m_knots(new DataTable(QString()))
     , m_knotsModel(new KnotsTableModel(this))
     , m_text(new QPlainTextEdit)
     , m_files(new FileChoices)
     , m_errors(new TableErrorView)
 {
     m_save = addPageAction({}, QStringLiteral("file"), [this] { askFolder(); });
-    m_save->setProperty("shownShortcut", QKeySequence(QKeySequence::Save).toString(QKeySequence::NativeText));
     m_write = addPageAction(QKeySequence(Qt::CTRL | Qt::Key_U), QStringLiteral("write"), [this] {
         banners().withdraw(QString::fromLatin1(kOutcome));
         m_device->write();
@@ -400,8 +399,9 @@ void ExportPage::savedFiles(const Status &outcome)
 {
     const QString key = QString::fromLatin1(kOutcome);
     if (!outcome) {
-        banners().post(key, bannerOf(BannerKind::Bad, tr("The files were not written."),
-                                     QString::fromStdString(outcome.error().message)));
+        banners().post(key, bannerOf(
+                                BannerKind::Bad, [] { return tr("The files were not written."); },
+                                QString::fromStdString(outcome.error().message)));
         return showButtons();
     }
     for (const ExportRecord &record : m_records) {
@@ -410,7 +410,9 @@ void ExportPage::savedFiles(const Status &outcome)
     }
     const auto count = static_cast<int>(m_records.size());
     context().events.add(EventKind::Info, tr("%n file(s) written to %1.", nullptr, count).arg(m_folder));
-    banners().post(key, bannerOf(BannerKind::Info, tr("%n file(s) written.", nullptr, count), m_folder));
+    banners().post(
+        key, bannerOf(
+                 BannerKind::Info, [count] { return tr("%n file(s) written.", nullptr, count); }, m_folder));
     showButtons();
 }
 
@@ -449,6 +451,7 @@ std::vector<StatusPart> ExportPage::statusParts() const
 void ExportPage::retranslate()
 {
     head().setTitle(stepName(Step::Export));
+    m_save->setProperty("shownShortcut", QKeySequence(QKeySequence::Save).toString(QKeySequence::NativeText));
     m_save->setText(tr("Save files…"));
     m_write->setText(tr("Write to device"));
     m_restore->setText(tr("Restore"));
@@ -459,6 +462,7 @@ void ExportPage::retranslate()
     m_empty->setTexts(tr("No model yet"), tr("Train a model first."));
     m_empty->setActions({m_toTrain});
     m_tableHead->setTitle(tr("Preview"));
+    m_knots->setAccessibleName(tr("Table preview"));
     m_model->setAccessibleName(tr("Model"));
     m_form->setAccessibleName(tr("Shown form"));
     m_text->setAccessibleName(tr("Preview of the file"));

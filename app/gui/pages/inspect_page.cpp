@@ -237,8 +237,6 @@ void InspectPage::retranslate()
         actions.push_back(context().actions.openFiles);
     m_empty->setActions(actions);
     m_side->retranslate();
-    m_strip->retranslate();
-    m_coverage->retranslate();
     showAll();
 }
 

@@ -86,8 +86,10 @@ void InspectPage::exclude(const Selection &selection)
     }
     const QString seconds = numberText(lengthOf(selection), 0);
     const QString run = QString::fromStdString(m_seen->runs[selection.front().run].name);
-    edit(plan, selection.size() == 1 ? tr("exclude %1 s of %2").arg(seconds, run)
-                                     : tr("exclude %1 s in %2 stretches").arg(seconds).arg(selection.size()));
+    edit(plan,
+         selection.size() == 1
+             ? tr("exclude %1 s of %2").arg(seconds, run)
+             : tr("exclude %1 s in %n stretches", nullptr, static_cast<int>(selection.size())).arg(seconds));
 }
 
 void InspectPage::include(std::size_t run, std::size_t own)

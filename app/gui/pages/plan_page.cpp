@@ -217,11 +217,10 @@ void PlanPage::showFigures()
     m_runHead->setNote({});
     if (checked) {
         const double allS = m_plan.runs * m_plan.runDurationS();
-        QString note = tr("%1 a run, %2 samples at %3 Hz · %4 for %5 runs")
+        QString note = tr("%1 a run, %2 samples at %3 Hz · %4 for %n runs", nullptr, m_plan.runs)
                            .arg(durationText(m_plan.runDurationS()),
                                 numberText(static_cast<double>(m_plan.samplesPerRun()), 0),
-                                numberText(m_plan.sampleRateHz, 0), durationText(allS))
-                           .arg(m_plan.runs);
+                                numberText(m_plan.sampleRateHz, 0), durationText(allS));
         if (m_plan.kind == PlanKind::Heating)
             note += tr(", without cooling back");
         m_runHead->setNote(note);

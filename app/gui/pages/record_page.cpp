@@ -61,7 +61,6 @@ void RecordPage::addActions()
     setPrimaryAction(m_start);
 
     m_pauseButton = new ActionButton(m_pause, ButtonSize::Head);
-    m_pause->setProperty("shownShortcut", QKeySequence(Qt::Key_Space).toString(QKeySequence::NativeText));
     m_stopButton = new ActionButton(m_stop, ButtonSize::Head);
     m_stopButton->setShortcutShown(false);
     m_startButton = new ActionButton(m_start, ButtonSize::Head);
@@ -147,6 +146,7 @@ void RecordPage::entered()
 void RecordPage::retranslate()
 {
     head().setTitle(stepName(Step::Record));
+    m_pause->setProperty("shownShortcut", QKeySequence(Qt::Key_Space).toString(QKeySequence::NativeText));
     m_start->setText(tr("Start recording"));
     m_stop->setText(tr("Stop recording"));
     m_goToSource->setText(tr("Choose a source"));
@@ -187,16 +187,10 @@ void RecordPage::showLegend()
     m_legend->setEntries(traces ? m_view->legend() : std::vector<LegendEntry>{}, lookOf(palette()));
 }
 
-void RecordPage::say(const QString &key, BannerKind kind, const QString &what, const QString &toDo,
+void RecordPage::say(const QString &key, BannerKind kind, Words what, Words toDo,
                      std::vector<QAction *> actions, bool closable)
 {
-    BannerContent content;
-    content.kind = kind;
-    content.what = what;
-    content.toDo = toDo;
-    content.actions = std::move(actions);
-    content.closable = closable;
-    banners().post(key, content);
+    banners().post(key, bannerOf(kind, std::move(what), std::move(toDo), std::move(actions), closable));
 }
 
 } // namespace driftbench

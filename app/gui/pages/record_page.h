@@ -2,6 +2,7 @@
 // recording goes on. Whatever the device does is said in the banner, and nothing that was taken is lost.
 #pragma once
 
+#include "app/gui/banner_of.h"
 #include "app/gui/page.h"
 #include "engine/base/result.h"
 
@@ -63,8 +64,8 @@ private:
     void showPauseBanner();
     void showAbsence();
     void showLegend();
-    void say(const QString &key, BannerKind kind, const QString &what, const QString &toDo,
-             std::vector<QAction *> actions = {}, bool closable = true);
+    void say(const QString &key, BannerKind kind, Words what, Words toDo, std::vector<QAction *> actions = {},
+             bool closable = true);
     void saveUnwritten();
     int runNumber() const;
     int runsWanted() const;

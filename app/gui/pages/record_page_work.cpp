@@ -30,8 +30,9 @@ void RecordPage::startRecording()
     banners().withdraw(QStringLiteral("ended"));
     banners().withdraw(QStringLiteral("source"));
     if (!workbench.sourceChoice()) {
-        say(QStringLiteral("source"), BannerKind::Caution, tr("No source is chosen."),
-            tr("Choose the bridge or the file to record from."), {m_goToSource});
+        say(
+            QStringLiteral("source"), BannerKind::Caution, [] { return tr("No source is chosen."); },
+            [] { return tr("Choose the bridge or the file to record from."); }, {m_goToSource});
         return;
     }
     m_brokenOff = false;
@@ -49,7 +50,8 @@ void RecordPage::sourceStarted()
     const Status started = workbench.acquisition().startRecording(workbench.session().file(), name);
     if (!started.ok()) {
         workbench.stopSource();
-        say(QStringLiteral("source"), BannerKind::Bad, tr("The run can't be recorded."),
+        say(
+            QStringLiteral("source"), BannerKind::Bad, [] { return tr("The run can't be recorded."); },
             sentenceOf(started.error()));
     }
     m_readouts->clearTrend();
@@ -62,8 +64,8 @@ void RecordPage::sourceEnded(const Error &error)
         return; // watched by another page, which says it
     m_starting = false;
     m_brokenOff = true;
-    say(QStringLiteral("source"), BannerKind::Bad, tr("The source has ended."), sentenceOf(error),
-        {m_goToSource});
+    say(QStringLiteral("source"), BannerKind::Bad, [] { return tr("The source has ended."); },
+        sentenceOf(error), {m_goToSource});
 }
 
 void RecordPage::stopRecording()
@@ -92,13 +94,19 @@ void RecordPage::recordingFinished(const Status &outcome)
     if (outcome.ok()) {
         const RunRecord *record = m_run->run() ? workbench.session().run(*m_run->run()) : nullptr;
         const QString samples = numberText(record ? static_cast<double>(record->samples) : 0.0, 0);
-        const QString what = !m_brokenOff ? tr("Run %1 is complete.").arg(runNumber())
-                                          : tr("Run %1 was stopped at %2.").arg(runNumber()).arg(length);
+        const auto what = [run = runNumber(), length, complete = !m_brokenOff] {
+            return complete ? tr("Run %1 is complete.").arg(run)
+                            : tr("Run %1 was stopped at %2.").arg(run).arg(length);
+        };
         say(QStringLiteral("ended"), BannerKind::Info, what,
-            tr("%1 samples are in the session.").arg(samples), {m_goToInspect});
+            [samples] { return tr("%1 samples are in the session.").arg(samples); }, {m_goToInspect});
     } else {
-        say(QStringLiteral("recorder"), BannerKind::Bad, tr("A part of the run is not on the disk."),
-            sentenceOf(outcome.error()) + QLatin1Char(' ') + tr("It is kept in memory."),
+        say(
+            QStringLiteral("recorder"), BannerKind::Bad,
+            [] { return tr("A part of the run is not on the disk."); },
+            [sentence = sentenceOf(outcome.error())] {
+                return sentence + QLatin1Char(' ') + tr("It is kept in memory.");
+            },
             {m_writeAgain, m_saveRest}, false);
     }
     showState();
@@ -110,19 +118,24 @@ void RecordPage::recorderSays(const RecorderEvent &event)
     const QString sentence = QString::fromStdString(event.sentence);
     switch (event.kind) {
     case RecorderEventKind::Slow:
-        say(key, BannerKind::Caution, tr("The disk is slow."), sentence);
+        say(
+            key, BannerKind::Caution, [] { return tr("The disk is slow."); }, sentence);
         break;
     case RecorderEventKind::Failing:
-        say(key, BannerKind::Bad, tr("The disk takes no more."),
-            sentence + QLatin1Char(' ') + tr("Make room on it; recording goes on in memory."), {m_stop},
-            false);
+        say(
+            key, BannerKind::Bad, [] { return tr("The disk takes no more."); },
+            [sentence] {
+                return sentence + QLatin1Char(' ') + tr("Make room on it; recording goes on in memory.");
+            },
+            {m_stop}, false);
         break;
     case RecorderEventKind::Recovered:
-        say(key, BannerKind::Info, tr("All samples are on the disk again."), {});
+        say(key, BannerKind::Info, [] { return tr("All samples are on the disk again."); }, {});
         break;
     case RecorderEventKind::Full:
-        say(key, BannerKind::Bad, tr("The memory for samples is full, the run has ended."), sentence, {},
-            false);
+        say(
+            key, BannerKind::Bad, [] { return tr("The memory for samples is full, the run has ended."); },
+            sentence, {}, false);
         break;
     }
 }
@@ -141,8 +154,8 @@ void RecordPage::saveUnwritten()
             return;
         const Status written = writeCsv(file.toStdString(), *rest);
         if (written.ok())
-            say(QStringLiteral("recorder"), BannerKind::Info, tr("The rest of the run is in %1.").arg(file),
-                {});
+            say(QStringLiteral("recorder"), BannerKind::Info,
+                [file] { return tr("The rest of the run is in %1.").arg(file); }, {});
         else
             say(QStringLiteral("recorder"), BannerKind::Bad, sentenceOf(written.error()), {}, {m_saveRest},
                 false);
@@ -179,13 +192,20 @@ void RecordPage::showAbsence()
 {
     const QString key = QStringLiteral("absence");
     if (const auto awayS = m_run->unpluggedAtS())
-        say(key, BannerKind::Caution, tr("The bridge was unplugged at %1.").arg(clockText(*awayS)),
-            tr("Plug it in to go on with this run."), {m_stop}, false);
+        say(
+            key, BannerKind::Caution,
+            [at = clockText(*awayS)] { return tr("The bridge was unplugged at %1.").arg(at); },
+            [] { return tr("Plug it in to go on with this run."); }, {m_stop}, false);
     else if (const auto silentS = m_run->silentForS())
-        say(key, BannerKind::Caution,
-            tr("No samples have come for %1 s.").arg(numberText(std::floor(*silentS), 0)),
-            tr("Look at the cable and the bridge; the run goes on as soon as they come again."), {m_stop},
-            false);
+        say(
+            key, BannerKind::Caution,
+            [seconds = numberText(std::floor(*silentS), 0)] {
+                return tr("No samples have come for %1 s.").arg(seconds);
+            },
+            [] {
+                return tr("Look at the cable and the bridge; the run goes on as soon as they come again.");
+            },
+            {m_stop}, false);
     else if (banners().holds(key))
         banners().withdraw(key);
 }
@@ -243,8 +263,9 @@ void RecordPage::showContext()
     QStringList names;
     for (const std::string &name : m_run->model()->trainedOn)
         names.append(QString::fromStdString(name));
-    const QString trainedOn =
-        names.size() > 2 ? tr("%1 to %2").arg(names.front(), names.back()) : names.join(tr(" and "));
+    const QString trainedOn = names.size() > 2    ? tr("%1 to %2").arg(names.front(), names.back())
+                              : names.size() == 2 ? tr("%1 and %2").arg(names.front(), names.back())
+                                                  : names.join(QString());
     head().setContext(tr("%1, compensated by the model of %2").arg(run, trainedOn));
 }
 

@@ -108,7 +108,7 @@ StepState SourcePage::stepState() const
     if (!runs.empty()) {
         const QString first = QFileInfo(QString::fromStdString(runs.front().description.source)).fileName();
         const bool one = runs.size() == 1;
-        return {one ? first : tr("%1 logs").arg(runs.size()), true, StepMark::Done};
+        return {one ? first : tr("%n logs", nullptr, static_cast<int>(runs.size())), true, StepMark::Done};
     }
     return {};
 }
@@ -121,9 +121,7 @@ QString SourcePage::hints() const
 std::vector<StatusPart> SourcePage::statusParts() const
 {
     const int plugged = m_bridges->pluggedIn();
-    const QString text =
-        plugged == 1 ? tr("%1 bridge plugged in, %2 usable") : tr("%1 bridges plugged in, %2 usable");
-    return {{text.arg(plugged).arg(m_bridges->usable())}};
+    return {{tr("%n bridges plugged in, %1 usable", nullptr, plugged).arg(m_bridges->usable())}};
 }
 
 void SourcePage::entered()

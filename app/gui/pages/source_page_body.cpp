@@ -201,9 +201,8 @@ void SourcePage::showUse()
     m_list->setEnabled(!recording);
     const auto &runs = m_bench.session().runs();
     head().setContext(runs.empty() ? tr("Where the samples come from. Nothing is recorded yet.")
-                      : runs.size() == 1
-                          ? tr("Where the samples come from. One run so far.")
-                          : tr("Where the samples come from. %1 runs so far.").arg(runs.size()));
+                                   : tr("Where the samples come from. %n runs so far.", nullptr,
+                                        static_cast<int>(runs.size())));
     // A session with runs says where they come from; what is only looked at is marked where it stands.
     head().setOrigin(runs.empty()                      ? Origin::None
                      : m_bench.session().isSimulated() ? Origin::Simulated

@@ -37,7 +37,7 @@ TrainPage::TrainPage(AppContext &context, QWidget *parent)
     , m_empty(new EmptyState(stepIcon(Step::Train)))
     , m_losses(new CentresView(lightPalette(), nullptr, CentresView::Part::Losses))
     , m_curves(new CentresView(lightPalette(), nullptr, CentresView::Part::Curves))
-    , m_table(new DataTable(tr("Models")))
+    , m_table(new DataTable(QString()))
     , m_models(new ModelsTableModel(this))
 {
     m_train = addPageAction(QKeySequence(Qt::CTRL | Qt::Key_R), QStringLiteral("play"), [this] { train(); });
@@ -75,7 +75,6 @@ void TrainPage::buildHead()
     m_bar->setFixedSize(kBarWidth, kBarHeight);
     m_bar->setRange(0, 1000);
     m_bar->setTextVisible(false);
-    m_bar->setAccessibleName(tr("Progress of the training"));
     m_percent = new TextLabel(TextRole::StrongNote);
     m_trainButton = new ActionButton(m_train, ButtonSize::Head);
     m_trainButton->setPrimary(true);
@@ -135,7 +134,7 @@ void TrainPage::connectSession()
                 if (outcome || outcome.error().code == Errc::Cancelled)
                     return;
                 banners().post(kRefused,
-                               bannerOf(BannerKind::Bad, tr("The training was refused."),
+                               bannerOf(BannerKind::Bad, [] { return tr("The training was refused."); },
                                         QString::fromStdString(outcome.error().message), {m_toInspect}));
             });
     showPlan();
@@ -162,8 +161,9 @@ void TrainPage::train()
     m_trainedS.clear();
     m_stopped = false;
     if (const Status started = context().workbench->train(); !started)
-        banners().post(kRefused, bannerOf(BannerKind::Bad, tr("The training can't start."),
-                                          QString::fromStdString(started.error().message)));
+        banners().post(kRefused, bannerOf(
+                                     BannerKind::Bad, [] { return tr("The training can't start."); },
+                                     QString::fromStdString(started.error().message)));
 }
 
 void TrainPage::cancel()
@@ -260,8 +260,9 @@ void TrainPage::showRefusal()
 {
     const auto &prepared = context().workbench->session().prepared();
     if (prepared && prepared->refusal)
-        banners().post(kRefused, bannerOf(BannerKind::Bad, tr("These runs can't be trained on."),
-                                          QString::fromStdString(prepared->refusal->message), {m_toInspect}));
+        banners().post(kRefused,
+                       bannerOf(BannerKind::Bad, [] { return tr("These runs can't be trained on."); },
+                                QString::fromStdString(prepared->refusal->message), {m_toInspect}));
     else
         banners().withdraw(kRefused);
     showResult();
@@ -274,20 +275,8 @@ void TrainPage::showResult()
         const bool fresh = m_shown != session.result() || m_shownCampaign != session.prepared();
         m_shown = session.result();
         m_shownCampaign = session.prepared();
-        if (fresh) {
-            const CentresData shown = centresData(*m_shownCampaign, *m_shown);
-            const QString origin =
-                m_shown->figures.simulated ? OriginChip::words(Origin::Simulated) : QString();
-            for (CentresView *view : {m_losses, m_curves}) {
-                view->setData(shown);
-                view->setOrigin(origin);
-            }
-            m_options->setNote(
-                shown.selection
-                    ? tr("Centres: the fewest that do as well as the best on runs left out. Here %1.")
-                          .arg(centresText(shown.selection->chosen))
-                    : QString());
-        }
+        if (fresh)
+            showFigures();
     } else if (session.result() && !session.prepared() && isVisible()) {
         // A session from a file has the figures; the plots need its runs.
         if (!context().workbench->training().isRunning())
@@ -297,6 +286,20 @@ void TrainPage::showResult()
         m_shownCampaign.reset();
     }
     showPlan();
+}
+
+void TrainPage::showFigures()
+{
+    const CentresData shown = centresData(*m_shownCampaign, *m_shown);
+    const QString origin = m_shown->figures.simulated ? OriginChip::words(Origin::Simulated) : QString();
+    for (CentresView *view : {m_losses, m_curves}) {
+        view->setData(shown);
+        view->setOrigin(origin);
+    }
+    m_options->setNote(shown.selection
+                           ? tr("Centres: the fewest that do as well as the best on runs left out. Here %1.")
+                                 .arg(centresText(shown.selection->chosen))
+                           : QString());
 }
 
 void TrainPage::showTable()
@@ -346,6 +349,8 @@ void TrainPage::retranslate()
 {
     head().setTitle(stepName(Step::Train));
     m_cancel->setText(tr("Cancel"));
+    m_table->setAccessibleName(tr("Models"));
+    m_bar->setAccessibleName(tr("Progress of the training"));
     m_toInspect->setText(tr("Look at the runs"));
     m_train->setToolTip(tr("Train the chosen models and judge them on runs held out"));
     m_options->retranslate();
@@ -353,6 +358,8 @@ void TrainPage::retranslate()
         showContext();
         setEmptyTexts();
         showTable();
+        if (m_shown && m_shownCampaign)
+            showFigures();
     }
 }
 

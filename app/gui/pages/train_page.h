@@ -60,6 +60,7 @@ private:
     void showJob();
     void showPlan();
     void showResult();
+    void showFigures();
     void showTable();
     void showContext();
     void showRefusal();

@@ -137,7 +137,6 @@ void RecordReadouts::retranslate()
     m_link->setName(0, tr("Sample rate, samples"));
     m_link->setName(1, tr("Dropped"));
     m_link->setName(2, tr("Overruns, saturated"));
-    m_trend->retranslate();
     showAll();
 }
 

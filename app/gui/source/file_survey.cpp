@@ -26,10 +26,10 @@ constexpr double kHysteresisShare = 0.1;
 constexpr double kHysteresisNoise = 3.0;
 constexpr int kSurveyCellFactor = 25; // cells of 0.5 degrees for the swing
 
-QString tr(const char *text)
+class SurveyWords
 {
-    return QCoreApplication::translate("FileSurvey", text);
-}
+    Q_DECLARE_TR_FUNCTIONS(driftbench::FileSurvey)
+};
 
 QString formatText(std::string_view name)
 {
@@ -48,14 +48,14 @@ void expectRefusal(FileSurvey &survey, const Error &refusal)
 {
     switch (refusal.code) {
     case Errc::SpanTooSmall:
-        return expectOf(survey, tr("Span too small to fit"), Tone::Caution);
+        return expectOf(survey, SurveyWords::tr("Span too small to fit"), Tone::Caution);
     case Errc::ConstantTemperature:
-        return expectOf(survey, tr("Temperature stands still"), Tone::Caution);
+        return expectOf(survey, SurveyWords::tr("Temperature stands still"), Tone::Caution);
     case Errc::TooShort:
     case Errc::TooFewSamples:
-        return expectOf(survey, tr("Too short to fit"), Tone::Caution);
+        return expectOf(survey, SurveyWords::tr("Too short to fit"), Tone::Caution);
     default:
-        return expectOf(survey, tr("Can't be used as it is"), Tone::Caution);
+        return expectOf(survey, SurveyWords::tr("Can't be used as it is"), Tone::Caution);
     }
 }
 
@@ -110,25 +110,25 @@ void surveyRecording(FileSurvey &survey, Recording recording)
     const bool noDrift = std::any_of(findings.begin(), findings.end(),
                                      [](const Finding &finding) { return finding.kind == "no drift"; });
     if (noDrift)
-        return expectOf(survey, tr("No drift found"), Tone::Plain);
+        return expectOf(survey, SurveyWords::tr("No drift found"), Tone::Plain);
     if (checked.refusal)
         return expectRefusal(survey, *checked.refusal);
     survey.isTrainable = true;
     if (const QString axes = hystereticAxes(checked.run); !axes.isEmpty())
-        return expectOf(survey, tr("%1: hysteresis").arg(axes), Tone::Caution);
+        return expectOf(survey, SurveyWords::tr("%1: hysteresis").arg(axes), Tone::Caution);
 }
 
 void surveySession(FileSurvey &survey)
 {
     survey.kind = FileKind::Session;
-    survey.format = tr("Session");
+    survey.format = SurveyWords::tr("Session");
     const auto file = SessionFile::open(survey.path, SessionAccess::ReadOnly);
     if (!file)
-        return expectOf(survey, tr("Can't be opened"), Tone::Bad);
+        return expectOf(survey, SurveyWords::tr("Can't be opened"), Tone::Bad);
     const auto runs = file->runs();
     const auto plan = file->plan();
     if (!runs)
-        return expectOf(survey, tr("Can't be opened"), Tone::Bad);
+        return expectOf(survey, SurveyWords::tr("Can't be opened"), Tone::Bad);
     survey.runs = static_cast<int>(runs->size());
     survey.plannedRuns = plan && *plan ? (*plan)->runs : 0;
     bool simulated = false;
@@ -146,9 +146,10 @@ void surveySession(FileSurvey &survey)
     if (!runs->empty())
         survey.origin = simulated ? Origin::Simulated : Origin::Real;
     if (survey.runs < survey.plannedRuns)
-        expectOf(survey, tr("Run %1 to do").arg(survey.runs + 1), Tone::Plain);
+        expectOf(survey, SurveyWords::tr("Run %1 to do").arg(survey.runs + 1), Tone::Plain);
     else
-        expectOf(survey, runs->empty() ? tr("No runs yet") : tr("Ready to train"), Tone::Plain);
+        expectOf(survey, runs->empty() ? SurveyWords::tr("No runs yet") : SurveyWords::tr("Ready to train"),
+                 Tone::Plain);
 }
 
 void surveyLog(FileSurvey &survey, const ProgressHook &hook)
@@ -157,16 +158,16 @@ void surveyLog(FileSurvey &survey, const ProgressHook &hook)
     const auto format = detectFormat(survey.path);
     if (!format)
         return expectOf(survey,
-                        format.error().code == Errc::FileNotFound ? tr("Not there any more")
-                                                                  : tr("Unknown format"),
+                        format.error().code == Errc::FileNotFound ? SurveyWords::tr("Not there any more")
+                                                                  : SurveyWords::tr("Unknown format"),
                         Tone::Bad);
     survey.format = formatText(logFormatName(*format));
     std::error_code code;
     if (std::filesystem::file_size(survey.path, code) > kLargestLookBytes)
-        return expectOf(survey, tr("Large: looked at when opened"), Tone::Plain);
+        return expectOf(survey, SurveyWords::tr("Large: looked at when opened"), Tone::Plain);
     const auto instances = listInstances(survey.path, {}, hook);
     if (!instances)
-        return expectOf(survey, tr("Can't be read"), Tone::Bad);
+        return expectOf(survey, SurveyWords::tr("Can't be read"), Tone::Bad);
     ReadOptions read;
     // Of several gyros the first that has a temperature stands for the log until the user chooses.
     const auto first = std::find_if(instances->begin(), instances->end(),
@@ -175,7 +176,7 @@ void surveyLog(FileSurvey &survey, const ProgressHook &hook)
         survey.instance = read.instance = first->instance;
     auto recording = readLog(survey.path, read, hook);
     if (!recording)
-        return expectOf(survey, tr("Can't be read"), Tone::Bad);
+        return expectOf(survey, SurveyWords::tr("Can't be read"), Tone::Bad);
     surveyRecording(survey, *std::move(recording));
 }
 

@@ -133,9 +133,8 @@ QString RecentFilesModel::cell(const FileSurvey &survey, int column) const
         return survey.samples < 0 ? kDash : numberText(static_cast<double>(survey.samples), 0);
     case LengthColumn:
         if (survey.kind == FileKind::Session)
-            return survey.plannedRuns > 0 ? tr("%1 of %2 runs").arg(survey.runs).arg(survey.plannedRuns)
-                   : survey.runs == 1     ? tr("1 run")
-                                          : tr("%1 runs").arg(survey.runs);
+            return survey.plannedRuns > 0 ? tr("%1 of %n runs", nullptr, survey.plannedRuns).arg(survey.runs)
+                                          : tr("%n runs", nullptr, survey.runs);
         return survey.durationS < 0.0 ? kDash : durationText(survey.durationS);
     case TemperatureColumn:
         return survey.hasTemperature

@@ -137,7 +137,7 @@ void SimulatedForm::setChoice(const SourceChoice &choice)
 
 QString SimulatedForm::settingsText() const
 {
-    return tr("%1, %2 drift").arg(m_sensor->currentText(), m_drift->currentText().toLower());
+    return tr("%1, drift: %2").arg(m_sensor->currentText(), m_drift->currentText());
 }
 
 } // namespace driftbench

@@ -26,14 +26,21 @@ QString centresText(const std::array<int, 3> &centres)
     return ModelWords::tr("%1 to %2").arg(*fewest).arg(*most);
 }
 
+static QString centresPhrase(const std::array<int, 3> &centres)
+{
+    const auto [fewest, most] = std::minmax_element(centres.begin(), centres.end());
+    return *fewest == *most ? ModelWords::tr("%n centres", nullptr, *most)
+                            : ModelWords::tr("%1 to %2 centres").arg(*fewest).arg(*most);
+}
+
 static QString rbfTitle(const TrainedModel *model, bool paper)
 {
     const auto *network = model != nullptr ? std::get_if<RbfNetwork>(&model->model) : nullptr;
     if (network == nullptr)
         return paper ? ModelWords::tr("RBF as in the paper (Novel)") : ModelWords::tr("RBF network (Novel)");
-    const QString centres = centresText(network->centreCount);
-    return paper ? ModelWords::tr("RBF as in the paper, %1 centres").arg(centres)
-                 : ModelWords::tr("RBF, %1 centres (Novel)").arg(centres);
+    const QString centres = centresPhrase(network->centreCount);
+    return paper ? ModelWords::tr("RBF as in the paper, %1").arg(centres)
+                 : ModelWords::tr("RBF, %1 (Novel)").arg(centres);
 }
 
 QString modelTitle(std::string_view name, const TrainedModel *model)

@@ -37,7 +37,7 @@ TrainOptions::TrainOptions(QWidget *parent)
     , m_modelsHead(new SectionHead)
     , m_inputsHead(new SectionHead)
     , m_optionsHead(new SectionHead)
-    , m_preset(new SegmentedButtons(tr("Preset of the RBF network"), ButtonSize::Small))
+    , m_preset(new SegmentedButtons({}, ButtonSize::Small))
     , m_form(new FormRows(kLabelWidth))
     , m_note(new TextLabel(TextRole::Note))
 {
@@ -57,7 +57,7 @@ TrainOptions::TrainOptions(QWidget *parent)
         rows->addWidget(m_models.at(name));
     rows->addWidget(m_inputsHead);
     auto *inputs = new QHBoxLayout;
-    inputs->setSpacing(10);
+    inputs->setSpacing(6);
     for (QCheckBox *input : m_inputs)
         inputs->addWidget(input);
     inputs->addWidget(m_dynamic);
@@ -97,10 +97,10 @@ void TrainOptions::buildForm()
     m_widths = new QComboBox;
     m_holdOut = new QComboBox;
     m_judged = new QComboBox;
-    m_ridge = new NumberField(tr("Ridge"), {}, 2, 0.0, kMostRidge, 0.5);
-    m_hidden = new NumberField(tr("Hidden units of the BP network"), {}, 0, 1, 100, 1);
-    m_starts = new NumberField(tr("Starts of the BP network"), {}, 0, 1, 100, 1);
-    m_seed = new NumberField(tr("Seed"), {}, 0, 0, kMostSeed, 1);
+    m_ridge = new NumberField({}, {}, 2, 0.0, kMostRidge, 0.5);
+    m_hidden = new NumberField({}, {}, 0, 1, 100, 1);
+    m_starts = new NumberField({}, {}, 0, 1, 100, 1);
+    m_seed = new NumberField({}, {}, 0, 0, kMostSeed, 1);
     for (QWidget *field : std::initializer_list<QWidget *>{m_centres, m_widths, m_ridge, m_hidden, m_starts,
                                                            m_seed, m_holdOut, m_judged})
         m_form->addRow({}, field);
@@ -299,6 +299,11 @@ void TrainOptions::retranslate()
     m_form->setLabel(Seed, tr("Seed"));
     m_form->setLabel(HoldOut, tr("Hold out"));
     m_form->setLabel(Judged, tr("Judged"));
+    m_preset->setAccessibleName(tr("Preset of the RBF network"));
+    m_ridge->setAccessibleName(tr("Ridge"));
+    m_hidden->setAccessibleName(tr("Hidden units of the BP network"));
+    m_starts->setAccessibleName(tr("Starts of the BP network"));
+    m_seed->setAccessibleName(tr("Seed"));
     m_centres->setAccessibleName(tr("Number of centres"));
     m_widths->setAccessibleName(tr("Widths"));
     m_holdOut->setAccessibleName(tr("Hold out"));

@@ -1,4 +1,4 @@
-// The language of the window, switched while it runs: the translations that are built in, English always.
+// The language of a program, switched while it runs: the translations that are built in, English always.
 #pragma once
 
 #include <QObject>

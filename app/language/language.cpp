@@ -1,4 +1,4 @@
-#include "app/gui/language.h"
+#include "app/language/language.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -38,8 +38,9 @@ void Language::set(const QString &code)
     QLocale::setDefault(locale);
     QCoreApplication::removeTranslator(&m_own);
     QCoreApplication::removeTranslator(&m_qt);
-    // English is what the sources say; its file, if there is one, has only the plurals.
-    if (m_own.load(locale, kStem.chopped(1), QStringLiteral("_"), kFolder))
+    // English is what the sources say, all but the plurals: those are in its file.
+    if (m_own.load(locale, kStem.chopped(1), QStringLiteral("_"), kFolder) ||
+        m_own.load(kStem + QStringLiteral("en"), kFolder))
         QCoreApplication::installTranslator(&m_own);
     if (m_qt.load(locale, QStringLiteral("qtbase"), QStringLiteral("_"),
                   QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
