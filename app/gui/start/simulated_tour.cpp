@@ -33,7 +33,7 @@ static int finishedRuns(const Session &session)
 // Of work that is done at once or not at all.
 static QString seeThePage()
 {
-    return text(
+    return tourText(
         QT_TRANSLATE_NOOP("SimulatedTour", "That did not work; the page says why. Try again, or skip it."));
 }
 
@@ -41,8 +41,8 @@ static QString sourceMissing(const Workbench &bench)
 {
     return bench.sourceChoice()
                ? QString()
-               : text(QT_TRANSLATE_NOOP("SimulatedTour",
-                                        "No bridge is chosen; choose the simulated one on the Source page."));
+               : tourText(QT_TRANSLATE_NOOP(
+                     "SimulatedTour", "No bridge is chosen; choose the simulated one on the Source page."));
 }
 
 static TourStep connectStep(MainWindow &window, Workbench &bench)
@@ -162,8 +162,8 @@ static TourStep trainStep(Workbench &bench)
     step.trouble = [&bench, asked] {
         return !*asked || bench.training().isRunning()
                    ? QString()
-                   : text(QT_TRANSLATE_NOOP("SimulatedTour",
-                                            "The training ended without a model. Try again, or skip it."));
+                   : tourText(QT_TRANSLATE_NOOP(
+                         "SimulatedTour", "The training ended without a model. Try again, or skip it."));
     };
     return step;
 }
@@ -203,8 +203,8 @@ static TourStep exportStep(MainWindow &window, Workbench &bench)
     step.trouble = [&window, &bench] {
         const auto &page = static_cast<ExportPage &>(*window.page(Step::Export));
         if (bench.session().chosenModel() == nullptr)
-            return text(QT_TRANSLATE_NOOP("SimulatedTour",
-                                          "There is no model to write; go back to Train, or end the tour."));
+            return tourText(QT_TRANSLATE_NOOP(
+                "SimulatedTour", "There is no model to write; go back to Train, or end the tour."));
         const ExportPreview *preview = page.preview();
         if (preview != nullptr && preview->refusal)
             return QString::fromStdString(preview->refusal->message);
@@ -229,9 +229,9 @@ void failWithTheWork(GuidedTour &tour, Workbench &bench)
             if (!outcome)
                 tour.fail(QString::fromStdString(outcome.error().message));
             else if (outcome->report.rolledBack)
-                tour.fail(text(QT_TRANSLATE_NOOP("SimulatedTour",
-                                                 "The device computed something else with the new table "
-                                                 "and has its old one again. Try again, or skip it.")));
+                tour.fail(tourText(QT_TRANSLATE_NOOP("SimulatedTour",
+                                                     "The device computed something else with the new table "
+                                                     "and has its old one again. Try again, or skip it.")));
         });
 }
 

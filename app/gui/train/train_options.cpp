@@ -18,7 +18,7 @@
 
 namespace driftbench {
 
-static constexpr int kWidth = 232;
+static constexpr int kOptionsWidth = 232;
 static constexpr int kLabelWidth = 80;
 static constexpr std::array kLargestNumbers{12, 24, 48};
 static constexpr int kFewestLevels = 3;
@@ -41,7 +41,7 @@ TrainOptions::TrainOptions(QWidget *parent)
     , m_form(new FormRows(kLabelWidth))
     , m_note(new TextLabel(TextRole::Note))
 {
-    setFixedWidth(kWidth);
+    setFixedWidth(kOptionsWidth);
     auto *rows = new QVBoxLayout(this);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->setSpacing(4);
