@@ -260,7 +260,7 @@ void TestCliBadInput::command_badInput_isRefused_data()
     row(fit + "--exclude 9:5", kUsage, {"--exclude"});
     row(fit + "--seed many", kUsage, {"--seed"});
     row("fit --out out", kUsage, {"RUN"});
-    row("fit run1.csv", kUsage, {"--out"});
+    refused("fit run1.csv", Errc::InvalidOption, {"--out"});
 
     // Options about logs.
     row("inspect run1.csv --columns 1,2", kUsage, {"--columns", "TIME,TEMPERATURE,X,Y,Z"});

@@ -168,7 +168,7 @@ void TestGuiFrame::window_small_scrolls()
     window.main().resize(800, 500);
     QCoreApplication::processEvents();
     QVERIFY(window.main().width() <= 800);
-    QVERIFY(window.main().page(Step::Source)->width() >= 1096);
+    QVERIFY(window.main().page(Step::Source)->width() >= 1080);
 }
 
 void TestGuiFrame::start_firstTime_offersTheTour()
