@@ -9,8 +9,6 @@ namespace driftbench {
 namespace {
 
 // Shares of the way, by how long each takes: a chunk out, a chunk back.
-constexpr double kWritten = 0.45;
-constexpr double kReadBack = 0.9;
 constexpr double kActivated = 0.92;
 
 Error cancelled()
@@ -58,7 +56,7 @@ Status write(BridgeClient &client, std::span<const std::uint8_t> image, std::uin
 {
     for (std::size_t offset = 0; offset < image.size(); offset += BRIDGE_CHUNK_BYTES) {
         const double part = static_cast<double>(offset) / static_cast<double>(image.size());
-        if (report(hook, "writing the table", kWritten * part) == Flow::Stop)
+        if (report(hook, "writing the table", kUploadWritten * part) == Flow::Stop)
             return cancelled();
         const auto chunk =
             image.subspan(offset, std::min<std::size_t>(BRIDGE_CHUNK_BYTES, image.size() - offset));
@@ -107,8 +105,8 @@ Status compare(BridgeClient &client, std::span<const std::uint8_t> image, std::u
 {
     bool stopped = false;
     const ProgressHook part = [&](const Progress &progress) {
-        const Flow flow =
-            report(hook, "reading the table back", kWritten + (kReadBack - kWritten) * progress.fraction);
+        const Flow flow = report(hook, "reading the table back",
+                                 kUploadWritten + (kUploadReadBack - kUploadWritten) * progress.fraction);
         stopped = flow == Flow::Stop;
         return flow;
     };
@@ -142,7 +140,7 @@ Result<TableUploadReport> finish(BridgeClient &client, TableUploadReport upload)
 // What counts in the end is what the device says that it uses.
 Status activate(BridgeClient &client, const TableUploadReport &upload, const ProgressHook &hook)
 {
-    if (report(hook, "activating the table", kReadBack) == Flow::Stop)
+    if (report(hook, "activating the table", kUploadReadBack) == Flow::Stop)
         return cancelled();
     if (const Status done = client.activateTable(upload.generation); !done)
         return done;

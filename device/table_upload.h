@@ -50,6 +50,11 @@ struct TableUploadReport
     bool rolledBack = false; // because the check did not pass
 };
 
+// The hook's fraction once the table is written and once it is read back as well; the rest is its way into
+// use.
+inline constexpr double kUploadWritten = 0.45;
+inline constexpr double kUploadReadBack = 0.9;
+
 Result<TableUploadReport> uploadTable(BridgeClient &client, std::span<const std::uint8_t> image,
                                       const TableUploadOptions &options = {}, const ProgressHook &hook = {});
 

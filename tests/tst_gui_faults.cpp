@@ -122,7 +122,7 @@ void TestGuiFaults::unplugged_onEachStep_windowStaysUsable()
     QTRY_VERIFY_WITH_TIMEOUT(window.bench->simulatedBoard() != nullptr, kPatienceMs);
     window.main().showStep(static_cast<Step>(step));
     QTRY_VERIFY_WITH_TIMEOUT(window.bench->simulatedBoard() != nullptr, kPatienceMs);
-    QSignalSpy said(&window.bench->acquisition(), &Acquisition::event);
+    QSignalSpy said(&window.bench->acquisition(), &Acquisition::sourceSaid);
     window.bench->simulatedBoard()->unplug();
     QTRY_VERIFY_WITH_TIMEOUT(!said.isEmpty(), kPatienceMs);
     QVERIFY(said.first().first().toString().contains(QStringLiteral("unplugged")));

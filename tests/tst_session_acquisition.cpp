@@ -60,7 +60,7 @@ struct Watcher : QObject
             order += "g";
             samplesAtGap = samples;
         });
-        connect(&acquisition, &Acquisition::event, this, [this](const QString &) { order += "e"; });
+        connect(&acquisition, &Acquisition::sourceSaid, this, [this](const QString &) { order += "e"; });
         connect(&acquisition, &Acquisition::finished, this, [this](const Result<SourceStats> &result) {
             order += "f";
             outcome = result;

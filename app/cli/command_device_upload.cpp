@@ -3,6 +3,7 @@
 #include "app/cli/device_text.h"
 #include "app/cli/model_input.h"
 #include "app/cli/progress_line.h"
+#include "app/session/upload_job.h"
 #include "device/table_upload.h"
 #include "engine/compensation/axis_selection.h"
 #include "engine/exports/device_image.h"
@@ -66,28 +67,14 @@ Result<CompensationTable> tableOf(const UploadArguments &arguments, const Traine
     return makeCompensationTable(model, selection->compensated, options);
 }
 
-// In the session that the model is of; one that can't be written to does not undo what the device holds.
-Status noteUpload(const UploadArguments &arguments, const ModelInput &input, const BridgeInfo &device,
-                  const TableUploadReport &done)
+Status noteUpload(const UploadArguments &arguments, const ModelInput &input, DeviceTableKind kind,
+                  const UploadOutcome &done)
 {
-    if (!input.session)
+    if (!isNotedIn(input, "upload"))
         return {};
-    if (input.session->isReadOnly()) {
-        printNotice("The session does not note the upload: " + input.session->readOnlyReason().toStdString());
-        return {};
-    }
-    UploadRecord made;
+    UploadRecord made = uploadRecord(done, kind, checkText(done.report));
     made.model = input.session->modelId(input.model.name);
-    made.sensor = device.sensor;
     made.device = arguments.device.choice.device;
-    made.kind = arguments.kind;
-    made.bank = done.bank;
-    made.generation = done.generation;
-    made.bytes = done.bytes;
-    made.crc32 = done.crc;
-    made.verified = true; // else uploadTable had failed
-    made.activated = done.activated;
-    made.outcome = checkText(done);
     return input.session->addUpload(std::move(made));
 }
 
@@ -119,7 +106,7 @@ Status upload(const UploadArguments &arguments)
     }();
     if (!done)
         return done.error();
-    const Status noted = noteUpload(arguments, *input, device->client->info(), *done);
+    const Status noted = noteUpload(arguments, *input, *kind, {*done, device->client->info()});
     const Status printed =
         arguments.device.json ? printJson(uploadAsJson(*done)) : printResult(uploadAsText(*done));
     if (!noted)

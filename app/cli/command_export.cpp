@@ -25,16 +25,10 @@ struct ExportArguments
     bool json = false;
 };
 
-// In the session that the model is of; one that can't be written to does not keep the file from being
-// exported.
 Status noteExport(const ExportArguments &arguments, const ModelInput &input, const std::string &text)
 {
-    if (!input.session)
+    if (!isNotedIn(input, "export"))
         return {};
-    if (input.session->isReadOnly()) {
-        printNotice("The session does not note the export: " + input.session->readOnlyReason().toStdString());
-        return {};
-    }
     ExportRecord made;
     made.model = input.session->modelId(input.model.name);
     made.format = arguments.format;

@@ -52,4 +52,15 @@ Result<ModelInput> openModel(const ModelChoice &choice)
     return ModelInput{*model, *std::move(session)};
 }
 
+bool isNotedIn(const ModelInput &input, const std::string &what)
+{
+    if (!input.session)
+        return false;
+    if (!input.session->isReadOnly())
+        return true;
+    printNotice("The session does not note the " + what + ": " +
+                input.session->readOnlyReason().toStdString());
+    return false;
+}
+
 } // namespace driftbench::cli

@@ -32,4 +32,8 @@ struct ModelInput
 // Errors: those of loadModel and Session::open; NoSuchRun where the session has no such model.
 Result<ModelInput> openModel(const ModelChoice &choice);
 
+// Whether the model's session can keep what was done with it ("export", "upload"). One that can't be written
+// to does not undo what was done: a notice says so.
+bool isNotedIn(const ModelInput &input, const std::string &what);
+
 } // namespace driftbench::cli

@@ -116,7 +116,7 @@ void MainWindow::logEvents()
         //: %1 is the name of a source
         log.add(EventKind::Info, tr("%1 is running.").arg(QString::fromStdString(info.name)));
     });
-    connect(&acquisition, &Acquisition::event, &log,
+    connect(&acquisition, &Acquisition::sourceSaid, &log,
             [&log](const QString &sentence) { log.add(EventKind::Caution, sentence); });
     connect(&acquisition, &Acquisition::gap, &log, [&log](const SampleGap &gap) {
         log.add(EventKind::Caution, tr("Gap from %1 to %2 s: %3.")

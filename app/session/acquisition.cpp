@@ -93,7 +93,7 @@ void Acquisition::drain()
         else if (const auto *lost = std::get_if<SampleGap>(&item))
             emit gap(*lost);
         else
-            emit event(QString::fromStdString(std::get<std::string>(item)));
+            emit sourceSaid(QString::fromStdString(std::get<std::string>(item)));
     }
     if (sink == m_sink && sink->isRefused())
         stopRecording();

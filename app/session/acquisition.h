@@ -77,7 +77,7 @@ signals:
     void started(const driftbench::SourceInfo &info);
     void batch(const std::shared_ptr<const driftbench::SampleBlock> &samples);
     void gap(const driftbench::SampleGap &gap);
-    void event(const QString &sentence);
+    void sourceSaid(const QString &sentence);
     void recordingStarted(driftbench::RunId run);
     void recorderEvent(const driftbench::RecorderEvent &event);
     void recordingFinished(driftbench::RunId run, const driftbench::Status &outcome);

@@ -2,6 +2,22 @@
 
 namespace driftbench {
 
+UploadRecord uploadRecord(const UploadOutcome &outcome, DeviceTableKind kind, std::string sentence)
+{
+    const TableUploadReport &report = outcome.report;
+    UploadRecord made;
+    made.sensor = outcome.device.sensor;
+    made.kind = kind == DeviceTableKind::FixedPoint ? "fixed" : "float";
+    made.bank = report.bank;
+    made.generation = report.generation;
+    made.bytes = report.bytes;
+    made.crc32 = report.crc;
+    made.verified = true; // else there were no report
+    made.activated = report.activated;
+    made.outcome = std::move(sentence);
+    return made;
+}
+
 bool UploadJob::upload(OpenClient open, std::vector<std::uint8_t> image, const TableUploadOptions &options)
 {
     const auto task = [open = std::move(open), image = std::move(image),

@@ -3,13 +3,16 @@
 #pragma once
 
 #include "app/session/job.h"
+#include "app/session/session_records.h"
 #include "device/bridge/bridge_client.h"
 #include "device/table_upload.h"
+#include "engine/exports/device_image.h"
 
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace driftbench {
@@ -22,6 +25,10 @@ struct UploadOutcome
     TableUploadReport report;
     BridgeInfo device;
 };
+
+// What a session keeps of an upload that uploadTable did not refuse; the model and how the device is called
+// here are the caller's to add.
+UploadRecord uploadRecord(const UploadOutcome &outcome, DeviceTableKind kind, std::string sentence);
 
 // What a device says of its tables.
 struct DeviceTables

@@ -9,8 +9,6 @@ namespace driftbench {
 
 namespace {
 
-constexpr double kTrainingShare = 0.85;
-
 ProgressHook partOfWhole(const ProgressHook &hook, double share)
 {
     return [&hook, share](const Progress &part) { return report(hook, part.stage, share * part.fraction); };
@@ -120,14 +118,14 @@ Result<Comparison> compareRecipes(const std::vector<ModelRecipe> &recipes, const
     const auto splits = makeSplits(set, options.holdOut);
     if (!splits)
         return splits.error();
-    auto trained = trainAll(recipes, splits->trainings, options.threads, partOfWhole(hook, kTrainingShare),
-                            namedHook(recipes, options));
+    auto trained = trainAll(recipes, splits->trainings, options.threads,
+                            partOfWhole(hook, kComparisonTrainingShare), namedHook(recipes, options));
     if (!trained)
         return trained.error();
     const bool partly = !trained->unfinished.empty();
     if ((partly && (!options.keepFinished || trained->recipes.empty())) ||
         (!partly && !options.keepFinished &&
-         report(hook, "Judging on held-out runs", kTrainingShare) == Flow::Stop))
+         report(hook, "Judging on held-out runs", kComparisonTrainingShare) == Flow::Stop))
         return Error{Errc::Cancelled, "The training was stopped before it was done; nothing was written."};
     Comparison comparison = judged(*trained, set, facts, *splits, options);
     report(hook, "Judging on held-out runs", 1.0);

@@ -78,6 +78,9 @@ struct CampaignFacts
     bool simulated = false;
 };
 
+// The hook's fraction when all models are trained; the rest is judging.
+inline constexpr double kComparisonTrainingShare = 0.85;
+
 Result<Comparison> compareModels(const TrainingSet &set, const CampaignFacts &facts,
                                  const ComparisonOptions &options = {}, const ProgressHook &hook = {});
 

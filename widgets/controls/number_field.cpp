@@ -10,7 +10,6 @@
 
 namespace driftbench {
 
-static constexpr QChar kMinus(0x2212);
 static constexpr int kArrowRoom = 18;
 
 NumberField::NumberField(const QString &accessibleName, const QString &unit, int decimals, double lowest,

@@ -6,8 +6,6 @@
 
 namespace driftbench {
 
-static constexpr QChar kMinus(0x2212);
-static constexpr QChar kThinSpace(0x2009);
 static constexpr QChar kEnDash(0x2013);
 
 QString numberText(double value, int decimals, const QLocale &locale)
@@ -40,6 +38,11 @@ static QString raised(int exponent)
     for (const QChar digit : QString::number(std::abs(exponent)))
         text += kDigits[digit.digitValue()];
     return exponent < 0 ? QStringLiteral("⁻") + text : text;
+}
+
+QString deviationText(double deviationDps)
+{
+    return numberText(deviationDps, std::clamp(decimalsForThreeFigures(deviationDps, 9) - 1, 2, 8));
 }
 
 QString decadeText(int exponent, const QLocale &locale)

@@ -7,10 +7,17 @@
 
 namespace driftbench {
 
+inline constexpr QChar kMinus(0x2212);
+inline constexpr QChar kThinSpace(0x2009);
+inline constexpr double kMdpsPerDps = 1000.0;
+
 QString numberText(double value, int decimals, const QLocale &locale = QLocale());
 
 // The decimals that give a number of this size three figures, at most `most`.
 int decimalsForThreeFigures(double value, int most = 4);
+
+// An Allan deviation: two figures that count, at least two decimals.
+QString deviationText(double deviationDps);
 
 // A power of ten as an axis labels it: 0.001 to 1 000 in full, beyond as 10 with a raised exponent.
 QString decadeText(int exponent, const QLocale &locale = QLocale());

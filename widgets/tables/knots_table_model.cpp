@@ -7,8 +7,6 @@
 
 namespace driftbench {
 
-static constexpr double kMdpsPerDps = 1000.0;
-
 void KnotsTableModel::setData(std::shared_ptr<const KnotsTableData> shown)
 {
     beginResetModel();

@@ -1,14 +1,13 @@
 #include "widgets/tables/table_text.h"
 
+#include "widgets/style/number_text.h"
+
 #include "engine/base/text.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace driftbench {
-
-static constexpr QChar kMinus(0x2212);
-static constexpr QChar kThinSpace(0x2009);
 
 static QString oneLine(QString text)
 {

@@ -63,12 +63,6 @@ static double drawCurve(QCPAxisRect &rect, const AllanCurve &curve, int axis, co
     return lowest;
 }
 
-static QString deviationText(double deviationDps)
-{
-    const int decimals = decimalsForThreeFigures(deviationDps, 9);
-    return numberText(deviationDps, std::clamp(decimals - 1, 2, 8));
-}
-
 void AllanView::build()
 {
     Extent tau, deviation;

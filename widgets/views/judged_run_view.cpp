@@ -128,11 +128,6 @@ static Deviations deviationsOf(const AllanCurve &curve, int axis)
     return result;
 }
 
-static QString deviationText(double dps)
-{
-    return numberText(dps, std::clamp(decimalsForThreeFigures(dps, 9) - 1, 2, 8));
-}
-
 void JudgedRunView::drawAllan(QCPAxisRect &rect, int axis) const
 {
     Extent tau, deviation;

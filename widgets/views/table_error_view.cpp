@@ -13,7 +13,6 @@
 
 namespace driftbench {
 
-static constexpr double kMdpsPerDps = 1000.0;
 static constexpr double kLowestShownMdps = 1e-4;
 static constexpr int kDifferencePoints = 241;
 

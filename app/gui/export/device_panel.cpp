@@ -1,5 +1,6 @@
 #include "app/gui/export/device_panel.h"
 
+#include "app/gui/export/device_words.h"
 #include "app/gui/export/upload_steps.h"
 #include "app/gui/train/model_words.h"
 #include "app/gui/workbench.h"
@@ -29,18 +30,6 @@ namespace driftbench {
 
 static constexpr int kFactRows = 6;
 static constexpr int kDifferenceWidth = 210;
-static constexpr double kWrittenShare = 0.45; // of an upload (device/table_upload.cpp)
-static constexpr double kReadBackShare = 0.9;
-
-static QString bankName(std::uint8_t bank)
-{
-    return QString(QChar(u'A' + bank));
-}
-
-static QString crcText(std::uint32_t crc)
-{
-    return QStringLiteral("%1").arg(crc, 8, 16, QLatin1Char('0')).toUpper();
-}
 
 DevicePanel::DevicePanel(Workbench &bench, QAction *restore, QAction *cancel, QAction *toSource,
                          QWidget *parent)
@@ -249,16 +238,16 @@ void DevicePanel::showProgress(const QString &stage, double fraction)
         return;
     m_fraction = fraction;
     using State = UploadSteps::State;
-    const bool reading = fraction >= kWrittenShare && fraction < kReadBackShare;
-    const bool activating = fraction >= kReadBackShare;
+    const bool reading = fraction >= kUploadWritten && fraction < kUploadReadBack;
+    const bool activating = fraction >= kUploadReadBack;
     const UploadSteps::Step step = activating        ? UploadSteps::Activate
                                    : reading         ? UploadSteps::ReadBack
                                    : stage.isEmpty() ? UploadSteps::Begin
                                                      : UploadSteps::Write;
     if (step >= UploadSteps::Write)
-        showBytes(UploadSteps::Write, fraction / kWrittenShare);
+        showBytes(UploadSteps::Write, fraction / kUploadWritten);
     if (step >= UploadSteps::ReadBack)
-        showBytes(UploadSteps::ReadBack, (fraction - kWrittenShare) / (kReadBackShare - kWrittenShare));
+        showBytes(UploadSteps::ReadBack, (fraction - kUploadWritten) / (kUploadReadBack - kUploadWritten));
     m_steps->setState(State::Running, step);
     m_bar->setValue(static_cast<int>(1000.0 * fraction));
     m_percent->setText(tr("%1 %").arg(numberText(100.0 * fraction, 0)));
@@ -296,23 +285,6 @@ void DevicePanel::showWord(const QString &text, int tone)
     m_result->setTone(static_cast<Tone>(tone));
     m_result->setText(text);
     m_result->setVisible(!text.isEmpty());
-}
-
-// What was compared at work, where the device can stream its own samples beside the raw ones.
-static QString checkText(const TableUploadReport &report)
-{
-    if (!report.check)
-        return DevicePanel::tr("Read back and verified. This device can't show its compensation at work.");
-    const CompensationCheck &check = *report.check;
-    if (report.rolledBack)
-        return DevicePanel::tr(
-                   "Rolled back: %1 of %2 samples differ from what the host computes, by up to %3 dps.")
-            .arg(check.differing)
-            .arg(check.samples)
-            .arg(numberText(check.worstDps, 4));
-    return DevicePanel::tr(
-        "Verified at work: %n sample(s) compared with what the host computes, none differs.", nullptr,
-        check.samples);
 }
 
 void DevicePanel::uploaded(const Result<UploadOutcome> &outcome)
@@ -364,21 +336,11 @@ void DevicePanel::showUploaded(const TableUploadReport &report)
 
 void DevicePanel::record(const UploadOutcome &outcome)
 {
-    const TableUploadReport &report = outcome.report;
-    UploadRecord made;
+    UploadRecord made = uploadRecord(outcome, m_bench.session().exportChoice().deviceTable,
+                                     checkText(outcome.report).toStdString());
     if (m_preview)
         made.model = m_bench.session().modelId(m_preview->model);
-    made.sensor = outcome.device.sensor;
     made.device = m_bench.sourceName().toStdString();
-    const DeviceTableKind kind = m_bench.session().exportChoice().deviceTable;
-    made.kind = kind == DeviceTableKind::FixedPoint ? "fixed" : "float";
-    made.bank = report.bank;
-    made.generation = report.generation;
-    made.bytes = report.bytes;
-    made.crc32 = report.crc;
-    made.verified = true;
-    made.activated = report.activated;
-    made.outcome = checkText(report).toStdString();
     if (const Status kept = m_bench.session().addUpload(std::move(made)); !kept)
         emit m_bench.problem(kept.error());
 }
@@ -400,118 +362,6 @@ void DevicePanel::rolledBack(const Result<TableRollbackReport> &outcome)
                                : tr("No table is in use any more; the device sends raw rates.");
     showWord(now, int(Tone::Good));
     emit told(false, tr("The table was taken out of use."), now);
-}
-
-// By this session's uploads; an image itself does not say.
-QString DevicePanel::modelOf(std::uint32_t crc) const
-{
-    for (const UploadRecord &upload : m_bench.session().uploads()) {
-        if (upload.crc32 != crc)
-            continue;
-        const auto models = m_bench.session().file().models();
-        if (!models || !upload.model)
-            break;
-        for (const ModelRecord &model : *models) {
-            if (model.id == *upload.model)
-                return modelLabel(model.name);
-        }
-    }
-    return tr("not known here");
-}
-
-static QString rangeText(const CompensationTable &table)
-{
-    return DevicePanel::tr("%1 to %2 °C, %3 rows")
-        .arg(numberText(table.firstTemperatureC(), 1), numberText(table.lastTemperatureC(), 1))
-        .arg(table.size());
-}
-
-static QString kindText(DeviceTableKind kind)
-{
-    return kind == DeviceTableKind::FixedPoint ? DevicePanel::tr("fixed point") : DevicePanel::tr("float32");
-}
-
-static QString thermometerText(DeviceThermometer thermometer)
-{
-    return thermometer == DeviceThermometer::Die ? DevicePanel::tr("on the die")
-                                                 : DevicePanel::tr("external");
-}
-
-static std::optional<DeviceImage> decoded(const std::vector<std::uint8_t> &bytes)
-{
-    auto image = decodeDeviceImage(bytes, "the table");
-    return image ? std::optional(*std::move(image)) : std::nullopt;
-}
-
-void DevicePanel::showFacts()
-{
-    const QString none = QStringLiteral("–");
-    std::vector<FactPair> pairs{{tr("Bank, generation"), tr("none"), none},
-                                {tr("Model"), none, none},
-                                {tr("Range, rows"), none, none},
-                                {tr("Kind, thermometer"), none, none},
-                                {tr("Sensor"), none, none},
-                                {tr("CRC-32"), none, none}};
-    std::shared_ptr<const CompensationTable> current, fresh;
-    const auto fill = [&pairs](const DeviceImage &image, std::uint32_t crc, QString FactPair::*side) {
-        pairs[2].*side = rangeText(image.table);
-        pairs[3].*side = tr("%1, %2").arg(kindText(image.kind()), thermometerText(image.thermometer));
-        pairs[4].*side = QString::fromStdString(image.table.provenance.sensor.text());
-        pairs[5].*side = crcText(crc);
-    };
-    if (m_tables && m_tables->image) {
-        if (const auto image = decoded(*m_tables->image)) {
-            const std::uint32_t crc = deviceImageCrc(*m_tables->image);
-            fill(*image, crc, &FactPair::here);
-            pairs[1].here = modelOf(crc);
-            current = std::make_shared<const CompensationTable>(image->table);
-        }
-    }
-    if (m_tables && m_tables->status.activeBank) {
-        const std::uint8_t bank = *m_tables->status.activeBank;
-        pairs[0].here = tr("%1, %2, active").arg(bankName(bank)).arg(m_tables->status.banks[bank].generation);
-    }
-    if (m_preview && !m_preview->image.empty()) {
-        if (const auto image = decoded(m_preview->image)) {
-            fill(*image, deviceImageCrc(m_preview->image), &FactPair::there);
-            pairs[1].there = QString::fromStdString(m_modelName);
-            fresh = std::make_shared<const CompensationTable>(image->table);
-        }
-        if (m_tables) {
-            std::uint32_t latest = 0;
-            for (const BridgeBank &bank : m_tables->status.banks)
-                latest = std::max(latest, bank.generation);
-            const std::uint8_t spare = m_tables->status.activeBank == std::uint8_t{0} ? 1 : 0;
-            pairs[0].there = tr("%1, %2").arg(bankName(spare)).arg(latest + 1);
-        }
-    } else if (m_preview && m_preview->imageRefusal) {
-        pairs[1].there = tr("no image: see Files");
-    }
-    m_pairsModel->setHeads(tr("On the device now"), tr("Would be written"));
-    m_pairsModel->setPairs(std::move(pairs));
-    m_difference->setData(current, fresh);
-    const bool simulated = m_bench.sourceChoice() && m_bench.isSourceSimulated();
-    if (m_tables) {
-        m_head->setTitle(tr("Device %1").arg(QString::fromStdString(m_tables->device.sensor.serial)));
-        const QString firmware = QString::fromStdString(m_tables->device.firmwareText());
-        const QString model = QString::fromStdString(m_tables->device.sensor.model);
-        m_head->setNote(simulated ? tr("%1, firmware %2, simulated").arg(model, firmware)
-                                  : tr("%1, firmware %2").arg(model, firmware));
-    } else {
-        m_head->setTitle(tr("Device"));
-        m_head->setNote({});
-    }
-    m_stack->setCurrentIndex(m_tables ? 1 : 0);
-    if (!m_bench.sourceChoice())
-        m_empty->setTexts(tr("No device chosen"),
-                          tr("Choose the simulated bridge or a plugged-in one as source."));
-    else if (m_problem)
-        m_empty->setTexts(tr("No tables there"), QString::fromStdString(m_problem->message));
-    else
-        m_empty->setTexts(tr("Looking at the device"), m_bench.sourceName());
-    m_empty->setActions(m_bench.sourceChoice() && !m_problem ? std::vector<QAction *>{}
-                                                             : std::vector<QAction *>{m_toSource});
-    emit stateChanged();
 }
 
 QString DevicePanel::statusText() const

@@ -20,7 +20,6 @@ namespace driftbench {
 
 static constexpr int kImage = 5;
 static constexpr int kNameWidth = 116;
-static constexpr double kMdpsPerDps = 1000.0;
 
 FileChoices::FileChoices(QWidget *parent)
     : QWidget(parent)

@@ -56,6 +56,8 @@ protected:
     void retranslate() override;
 
 private:
+    static constexpr double kNoLimitDps = 0.0; // as the field shows it
+
     void buildHead();
     QWidget *buildBody();
     void connectSession();

@@ -53,6 +53,8 @@ protected:
     void retranslate() override;
 
 private:
+    static constexpr const char *kNotes = "axes"; // key of the banner
+
     QWidget *buildLeft();
     QWidget *buildRight();
     void connectSession();

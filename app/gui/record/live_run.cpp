@@ -39,7 +39,7 @@ void LiveRun::connectAcquisition()
     connect(&acquisition, &Acquisition::batch, this,
             [this](const std::shared_ptr<const SampleBlock> &samples) { take(*samples); });
     connect(&acquisition, &Acquisition::gap, this, &LiveRun::takeGap);
-    connect(&acquisition, &Acquisition::event, this, &LiveRun::takeEvent);
+    connect(&acquisition, &Acquisition::sourceSaid, this, &LiveRun::takeEvent);
 }
 
 std::shared_ptr<const TrainedModel> LiveRun::modelOfSession() const

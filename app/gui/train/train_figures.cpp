@@ -1,6 +1,7 @@
 #include "app/gui/train/train_figures.h"
 
 #include "app/gui/train/model_words.h"
+#include "engine/evaluation/comparison.h"
 #include "engine/models/parameter_count.h"
 #include "widgets/style/number_text.h"
 
@@ -18,9 +19,6 @@ class TrainFigures
 {
     Q_DECLARE_TR_FUNCTIONS(driftbench::TrainFigures)
 };
-
-// Share of the job's progress that is training; the rest judges (evaluation/comparison.cpp).
-constexpr double kTrainingShare = 0.85;
 
 using Figure = double ComparisonRow::*;
 
@@ -93,7 +91,7 @@ void fillProgress(ModelLine &line, const CalibrationPlan &plan, const TrainingPr
         return;
     }
     const auto models = static_cast<double>(plan.models.size());
-    const double done = progress.fraction / kTrainingShare * models;
+    const double done = progress.fraction / kComparisonTrainingShare * models;
     const auto finished = static_cast<double>(progress.trainedS.size());
     std::string running;
     for (const std::string &name : plan.models) {
