@@ -1,6 +1,7 @@
 // The frame of the window: rail, pages, menus, keys, colours, the session as a file, files that are dropped.
 #include "support/gui_window.h"
 
+#include "app/gui/accessible_areas.h"
 #include "app/gui/shortcut_overview.h"
 #include "app/gui/start/guided_tour.h"
 #include "app/gui/start/simulated_tour.h"
@@ -11,7 +12,9 @@
 
 #include <QAbstractButton>
 #include <QAbstractSpinBox>
+#include <QAccessible>
 #include <QAction>
+#include <QScrollArea>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -33,6 +36,7 @@ private slots:
     void plan_undone_byTheFramesAction();
     void shortcuts_noKeyTwiceOnOnePage();
     void controls_ofEveryPage_haveNames();
+    void scrollArea_askedForAChildThatIsGone_hasNone();
     void window_small_scrolls();
     void start_firstTime_offersTheTour();
     void tour_steps_goOnWhenTheyAreDone();
@@ -160,6 +164,31 @@ void TestGuiFrame::controls_ofEveryPage_haveNames()
                      qPrintable(stepName(step) + ": " + widget->metaObject()->className()));
         }
     }
+}
+
+// As a screen reader asks: it counted the children before a scroll bar went.
+void TestGuiFrame::scrollArea_askedForAChildThatIsGone_hasNone()
+{
+    installAccessibleAreas();
+    QScrollArea area;
+    auto *inside = new QWidget;
+    inside->setMinimumSize(2000, 2000);
+    area.setWidget(inside);
+    area.resize(200, 200);
+    area.show();
+    QCoreApplication::processEvents();
+    QAccessibleInterface *told = QAccessible::queryAccessibleInterface(&area);
+    QVERIFY(told != nullptr);
+    const int before = told->childCount();
+    QVERIFY(before >= 1);
+    inside->setMinimumSize(10, 10);
+    inside->resize(10, 10);
+    QCoreApplication::processEvents();
+    QVERIFY(told->childCount() <= before);
+    for (const int index : {-1, told->childCount(), before + 5})
+        QVERIFY(told->child(index) == nullptr);
+    for (int index = 0; index < told->childCount(); ++index)
+        QVERIFY(told->child(index) != nullptr);
 }
 
 void TestGuiFrame::window_small_scrolls()

@@ -2,6 +2,7 @@
 //
 //   driftbench [FILES]     opens logs and sessions
 //   --bench-first-paint    prints the time from main() to the first paint of the window, and ends
+#include "app/gui/accessible_areas.h"
 #include "app/gui/app_context.h"
 #include "app/gui/event_log.h"
 #include "app/gui/main_window.h"
@@ -48,6 +49,7 @@ static int run(QApplication &application, const QElapsedTimer &sinceStart)
                                  QStringLiteral("[files...]"));
     parser.process(application);
 
+    installAccessibleAreas();
     QSettings store;
     const Settings settings = loadSettings(store);
     Language language;
