@@ -140,7 +140,7 @@ Result<TableUploadReport> finish(BridgeClient &client, TableUploadReport upload)
 // What counts in the end is what the device says that it uses.
 Status activate(BridgeClient &client, const TableUploadReport &upload, const ProgressHook &hook)
 {
-    if (report(hook, "activating the table", kUploadReadBack) == Flow::Stop)
+    if (report(hook, "activating the table", kUploadCommitted) == Flow::Stop)
         return cancelled();
     if (const Status done = client.activateTable(upload.generation); !done)
         return done;
@@ -214,10 +214,14 @@ Result<std::uint8_t> writeAndReadBack(BridgeClient &client, std::span<const std:
 
 // The generation that the bank has now.
 Result<std::uint32_t> verifyAndCommit(BridgeClient &client, std::uint16_t transaction,
-                                      const TableUploadReport &upload)
+                                      const TableUploadReport &upload, const ProgressHook &hook)
 {
+    if (report(hook, "verifying the table", kUploadReadBack) == Flow::Stop)
+        return cancelled();
     if (const Status done = client.verifyTable(transaction); !done)
         return done.error();
+    if (report(hook, "committing the table", kUploadVerified) == Flow::Stop)
+        return cancelled();
     if (const Status done = client.commitTable(transaction); !done)
         return done.error();
     const auto status = client.status();
@@ -250,7 +254,7 @@ Result<TableUploadReport> uploadTable(BridgeClient &client, std::span<const std:
     if (!bank)
         return bank.error();
     upload.bank = *bank;
-    const auto generation = verifyAndCommit(client, transaction, upload);
+    const auto generation = verifyAndCommit(client, transaction, upload, hook);
     if (!generation)
         return generation.error();
     upload.generation = *generation;

@@ -50,10 +50,12 @@ struct TableUploadReport
     bool rolledBack = false; // because the check did not pass
 };
 
-// The hook's fraction once the table is written and once it is read back as well; the rest is its way into
-// use.
+// The hook's fraction once the table is written, once it is read back as well, once the device has verified
+// it and once it is committed; the rest is its way into use.
 inline constexpr double kUploadWritten = 0.45;
 inline constexpr double kUploadReadBack = 0.9;
+inline constexpr double kUploadVerified = 0.905;
+inline constexpr double kUploadCommitted = 0.91;
 
 Result<TableUploadReport> uploadTable(BridgeClient &client, std::span<const std::uint8_t> image,
                                       const TableUploadOptions &options = {}, const ProgressHook &hook = {});

@@ -10,6 +10,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <atomic>
+#include <thread>
+
 using namespace driftbench;
 using namespace driftbench::test;
 
@@ -23,6 +26,7 @@ private slots:
     void start_sourceFails_samplesBeforeItArrive();
     void start_whileRunning_isRefused();
     void stop_endlessSource_ends();
+    void stop_whileOpening_neverStarts();
     void destroyed_whileRunning_neverCallsBack();
     void destroyed_inItsOwnSignal_isSafe();
     void recording_partOfAStream_startsAtZeroAndHoldsThatPart();
@@ -177,6 +181,26 @@ void TestSessionAcquisition::stop_endlessSource_ends()
     QTRY_VERIFY(watcher.outcome);
     QVERIFY(watcher.inOrder);
     QCOMPARE((*watcher.outcome)->samples, watcher.samples);
+}
+
+// Who starts the next source then would take it for that one.
+void TestSessionAcquisition::stop_whileOpening_neverStarts()
+{
+    Acquisition acquisition;
+    const Watcher watcher(acquisition);
+    const auto open = opening(kSteady, true);
+    const auto mayOpen = std::make_shared<std::atomic<bool>>(false);
+    QVERIFY(acquisition.start([open, mayOpen] {
+        while (!*mayOpen)
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        return open();
+    }));
+    acquisition.stop();
+    QCOMPARE(acquisition.state(), Acquisition::State::Stopping);
+    *mayOpen = true;
+    QTRY_VERIFY(watcher.outcome);
+    QVERIFY(!watcher.order.contains('s'));
+    QCOMPARE(acquisition.state(), Acquisition::State::Idle);
 }
 
 void TestSessionAcquisition::destroyed_whileRunning_neverCallsBack()

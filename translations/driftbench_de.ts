@@ -83,6 +83,10 @@
         <source>The device computed something else with the new table and has its old one again. Try again, or skip it.</source>
         <translation>Das Gerät rechnete mit der neuen Tabelle anders und hat wieder die alte. Wiederholen oder überspringen.</translation>
     </message>
+    <message>
+        <source>The bridge was unplugged. Plug it in and try again, or stop the run and end the tour.</source>
+        <translation>Die Bridge wurde abgezogen. Einstecken und wiederholen, oder den Lauf stoppen und die Tour beenden.</translation>
+    </message>
 </context>
 <context>
     <name>Step</name>
@@ -532,10 +536,6 @@
         <translation>%1 gegen eine Konstante, auf Läufen, die das Modell nicht kennt</translation>
     </message>
     <message>
-        <source>Being judged</source>
-        <translation>Wird bewertet</translation>
-    </message>
-    <message>
         <source>The models are trained and judged on runs held out.</source>
         <translation>Die Modelle werden trainiert und auf zurückgehaltenen Läufen bewertet.</translation>
     </message>
@@ -601,6 +601,14 @@
     <message>
         <source>Held-out run %1</source>
         <translation>Zurückgehaltener Lauf %1</translation>
+    </message>
+    <message>
+        <source>The report was cancelled.</source>
+        <translation>Der Bericht wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 <context>
@@ -1000,6 +1008,26 @@ keiner</translation>
         <source>%1, the spare bank being written</source>
         <translation>%1, Reservebank wird geschrieben</translation>
     </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Activation not confirmed</source>
+        <translation>Aktivierung nicht bestätigt</translation>
+    </message>
+    <message>
+        <source>Look at the device to see which table is in use.</source>
+        <translation>Am Gerät nachsehen, welche Tabelle benutzt wird.</translation>
+    </message>
+    <message>
+        <source>The table that was in use still is.</source>
+        <translation>Die bisherige Tabelle wird weiter benutzt.</translation>
+    </message>
+    <message>
+        <source>The activation was not confirmed.</source>
+        <translation>Die Aktivierung wurde nicht bestätigt.</translation>
+    </message>
 </context>
 <context>
     <name>driftbench::DurationField</name>
@@ -1295,6 +1323,10 @@ keiner</translation>
     <message>
         <source>Device image</source>
         <translation>Geräteabbild</translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation>Erneut suchen</translation>
     </message>
 </context>
 <context>
@@ -3359,14 +3391,6 @@ dps²</translation>
     <message>
         <source>Wheel zoom · Drag pan · Shift+drag box zoom · Double-click fit · A, B set a cursor at the mouse</source>
         <translation>Mausrad zoomen · Ziehen verschieben · Umschalt+Ziehen Rechteck zoomen · Doppelklick einpassen · A, B Cursor an der Maus setzen</translation>
-    </message>
-    <message>
-        <source>No samples dropped</source>
-        <translation>Keine Abtastwerte verloren</translation>
-    </message>
-    <message>
-        <source>%1 dropped of %2</source>
-        <translation>%1 von %2 verloren</translation>
     </message>
     <message>
         <source>%1 and %2</source>

@@ -83,6 +83,10 @@
         <source>The device computed something else with the new table and has its old one again. Try again, or skip it.</source>
         <translation>L’appareil calculait autrement avec la nouvelle table et a repris l’ancienne. Réessayer ou passer.</translation>
     </message>
+    <message>
+        <source>The bridge was unplugged. Plug it in and try again, or stop the run and end the tour.</source>
+        <translation>Le pont a été débranché. Le rebrancher et réessayer, ou arrêter l’essai et quitter la visite.</translation>
+    </message>
 </context>
 <context>
     <name>Step</name>
@@ -532,10 +536,6 @@
         <translation>%1 face à une constante, sur des essais non vus</translation>
     </message>
     <message>
-        <source>Being judged</source>
-        <translation>Évaluation en cours</translation>
-    </message>
-    <message>
         <source>The models are trained and judged on runs held out.</source>
         <translation>Les modèles sont entraînés et évalués sur des essais réservés.</translation>
     </message>
@@ -601,6 +601,14 @@
     <message>
         <source>Held-out run %1</source>
         <translation>Essai réservé %1</translation>
+    </message>
+    <message>
+        <source>The report was cancelled.</source>
+        <translation>Le rapport a été annulé.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
     </message>
 </context>
 <context>
@@ -1000,6 +1008,26 @@ aucune</translation>
         <source>%1, the spare bank being written</source>
         <translation>%1, écriture de la banque libre</translation>
     </message>
+    <message>
+        <source>not known</source>
+        <translation>inconnu</translation>
+    </message>
+    <message>
+        <source>Activation not confirmed</source>
+        <translation>Activation non confirmée</translation>
+    </message>
+    <message>
+        <source>Look at the device to see which table is in use.</source>
+        <translation>Interroger l’appareil pour savoir quelle table est en service.</translation>
+    </message>
+    <message>
+        <source>The table that was in use still is.</source>
+        <translation>La table qui était en service l’est toujours.</translation>
+    </message>
+    <message>
+        <source>The activation was not confirmed.</source>
+        <translation>L’activation n’a pas été confirmée.</translation>
+    </message>
 </context>
 <context>
     <name>driftbench::DurationField</name>
@@ -1295,6 +1323,10 @@ aucune</translation>
     <message>
         <source>Device image</source>
         <translation>Image appareil</translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation>Actualiser</translation>
     </message>
 </context>
 <context>
@@ -3359,14 +3391,6 @@ dps²</translation>
     <message>
         <source>Wheel zoom · Drag pan · Shift+drag box zoom · Double-click fit · A, B set a cursor at the mouse</source>
         <translation>Molette zoom · Glisser déplacer · Maj+glisser zoom sur un cadre · Double-clic cadrer · A, B placer un curseur à la souris</translation>
-    </message>
-    <message>
-        <source>No samples dropped</source>
-        <translation>Aucun échantillon perdu</translation>
-    </message>
-    <message>
-        <source>%1 dropped of %2</source>
-        <translation>%1 perdus sur %2</translation>
     </message>
     <message>
         <source>%1 and %2</source>

@@ -83,6 +83,10 @@
         <source>The device computed something else with the new table and has its old one again. Try again, or skip it.</source>
         <translation>新しいテーブルでのデバイスの計算結果が異なるため、元のテーブルに戻しました。再試行するか、スキップしてください。</translation>
     </message>
+    <message>
+        <source>The bridge was unplugged. Plug it in and try again, or stop the run and end the tour.</source>
+        <translation>ブリッジが取り外されました。接続して再試行するか、測定を停止してツアーを終了してください。</translation>
+    </message>
 </context>
 <context>
     <name>Step</name>
@@ -532,10 +536,6 @@
         <translation>学習に使っていない測定での、%1 と定数の比較</translation>
     </message>
     <message>
-        <source>Being judged</source>
-        <translation>判定中</translation>
-    </message>
-    <message>
         <source>The models are trained and judged on runs held out.</source>
         <translation>モデルを学習し、検証用の測定で判定しています。</translation>
     </message>
@@ -600,6 +600,14 @@
     <message>
         <source>Held-out run %1</source>
         <translation>検証用の測定 %1</translation>
+    </message>
+    <message>
+        <source>The report was cancelled.</source>
+        <translation>レポートをキャンセルしました。</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
     </message>
 </context>
 <context>
@@ -998,6 +1006,26 @@ none</source>
         <source>%1, the spare bank being written</source>
         <translation>%1、予備バンクに書き込み中</translation>
     </message>
+    <message>
+        <source>not known</source>
+        <translation>不明</translation>
+    </message>
+    <message>
+        <source>Activation not confirmed</source>
+        <translation>有効化は未確認</translation>
+    </message>
+    <message>
+        <source>Look at the device to see which table is in use.</source>
+        <translation>使用中のテーブルはデバイスを確認してください。</translation>
+    </message>
+    <message>
+        <source>The table that was in use still is.</source>
+        <translation>使用中だったテーブルは引き続き有効です。</translation>
+    </message>
+    <message>
+        <source>The activation was not confirmed.</source>
+        <translation>有効化を確認できませんでした。</translation>
+    </message>
 </context>
 <context>
     <name>driftbench::DurationField</name>
@@ -1290,6 +1318,10 @@ none</source>
     <message>
         <source>Device image</source>
         <translation>デバイスイメージ</translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation>再検索</translation>
     </message>
 </context>
 <context>
@@ -3343,14 +3375,6 @@ dps²</translation>
     <message>
         <source>Wheel zoom · Drag pan · Shift+drag box zoom · Double-click fit · A, B set a cursor at the mouse</source>
         <translation>ホイール ズーム · ドラッグ 移動 · Shift+ドラッグ 枠でズーム · ダブルクリック 全体表示 · A, B マウス位置にカーソルを設定</translation>
-    </message>
-    <message>
-        <source>No samples dropped</source>
-        <translation>サンプル欠落なし</translation>
-    </message>
-    <message>
-        <source>%1 dropped of %2</source>
-        <translation>%2 中 %1 欠落</translation>
     </message>
     <message>
         <source>%1 and %2</source>

@@ -83,6 +83,10 @@
         <source>The device computed something else with the new table and has its old one again. Try again, or skip it.</source>
         <translation>设备用新表的计算结果不符，已恢复旧表。请重试或跳过。</translation>
     </message>
+    <message>
+        <source>The bridge was unplugged. Plug it in and try again, or stop the run and end the tour.</source>
+        <translation>桥接器被拔出。请插回后重试，或停止采集并结束导览。</translation>
+    </message>
 </context>
 <context>
     <name>Step</name>
@@ -532,10 +536,6 @@
         <translation>%1 与常数之比较，用其未见过的测次</translation>
     </message>
     <message>
-        <source>Being judged</source>
-        <translation>评判中</translation>
-    </message>
-    <message>
         <source>The models are trained and judged on runs held out.</source>
         <translation>模型正在训练，并用留出测次评判。</translation>
     </message>
@@ -600,6 +600,14 @@
     <message>
         <source>Held-out run %1</source>
         <translation>留出测次 %1</translation>
+    </message>
+    <message>
+        <source>The report was cancelled.</source>
+        <translation>报告已取消。</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
     </message>
 </context>
 <context>
@@ -998,6 +1006,26 @@ none</source>
         <source>%1, the spare bank being written</source>
         <translation>%1，正在写入备用区</translation>
     </message>
+    <message>
+        <source>not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>Activation not confirmed</source>
+        <translation>激活未确认</translation>
+    </message>
+    <message>
+        <source>Look at the device to see which table is in use.</source>
+        <translation>请查看设备以确认在用的补偿表。</translation>
+    </message>
+    <message>
+        <source>The table that was in use still is.</source>
+        <translation>原在用补偿表仍在使用。</translation>
+    </message>
+    <message>
+        <source>The activation was not confirmed.</source>
+        <translation>激活未得到确认。</translation>
+    </message>
 </context>
 <context>
     <name>driftbench::DurationField</name>
@@ -1290,6 +1318,10 @@ none</source>
     <message>
         <source>Device image</source>
         <translation>设备映像</translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation>重新查找</translation>
     </message>
 </context>
 <context>
@@ -3343,14 +3375,6 @@ dps²</translation>
     <message>
         <source>Wheel zoom · Drag pan · Shift+drag box zoom · Double-click fit · A, B set a cursor at the mouse</source>
         <translation>滚轮 缩放 · 拖动 平移 · Shift+拖动 框选缩放 · 双击 适应窗口 · A、B 在鼠标处设置游标</translation>
-    </message>
-    <message>
-        <source>No samples dropped</source>
-        <translation>样本无丢失</translation>
-    </message>
-    <message>
-        <source>%1 dropped of %2</source>
-        <translation>%2 中丢失 %1</translation>
     </message>
     <message>
         <source>%1 and %2</source>

@@ -167,7 +167,9 @@ void MainWindow::restoreSession()
 bool MainWindow::mayClose()
 {
     const bool recording = m_bench.acquisition().isRecording();
-    if (!recording && m_bench.session().isSaved())
+    const auto recorder = m_bench.acquisition().recorderStats();
+    const bool allWritten = m_bench.session().isSaved() && (!recorder || recorder->queued() == 0);
+    if (!recording && allWritten)
         return true;
     QMessageBox box(this);
     box.setIcon(QMessageBox::Warning);

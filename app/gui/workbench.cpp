@@ -103,7 +103,7 @@ void Workbench::connectJobs()
     connect(&m_loading, &LoadJob::finished, this, [this](const std::vector<LoadedLog> &logs) {
         for (const LoadedLog &log : logs) {
             if (!log.run)
-                emit problem(log.run.error());
+                tellUnlessCancelled(log.run.error());
         }
         if (const Status read = m_session->refreshRuns(); !read)
             emit problem(read.error());
@@ -119,10 +119,17 @@ void Workbench::connectJobs()
                 if (m_trainedFor != m_session.get())
                     return;
                 const Status taken = outcome ? m_session->setResult(*outcome) : Status(outcome.error());
-                if (!taken && taken.error().code != Errc::Cancelled)
-                    emit problem(taken.error());
+                if (!taken)
+                    tellUnlessCancelled(taken.error());
             });
-    connect(&m_training, &TrainingJob::failed, this, &Workbench::problem);
+    connect(&m_training, &TrainingJob::failed, this, &Workbench::tellUnlessCancelled);
+}
+
+// A cancel is what was wanted.
+void Workbench::tellUnlessCancelled(const Error &error)
+{
+    if (error.code != Errc::Cancelled)
+        emit problem(error);
 }
 
 static Error beingRecorded()

@@ -118,6 +118,7 @@ private:
     void take(std::unique_ptr<Session> session);
     void connectSession();
     void connectJobs();
+    void tellUnlessCancelled(const Error &error);
     void startWatch();
     SourceChoice choiceFor(SourceUse use) const;
     bool openNow();

@@ -68,9 +68,10 @@ bool Acquisition::start(OpenSource open)
 
 void Acquisition::sourceStarted(const SourceInfo &info)
 {
+    if (m_state != State::Opening)
+        return; // stopped meanwhile: who waits for the next source would take it for that
     m_info = info;
-    if (m_state == State::Opening)
-        setState(State::Running);
+    setState(State::Running);
     m_timer.start();
     emit started(info);
 }

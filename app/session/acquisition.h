@@ -74,7 +74,7 @@ public:
 
 signals:
     void stateChanged(driftbench::Acquisition::State state);
-    void started(const driftbench::SourceInfo &info);
+    void started(const driftbench::SourceInfo &info); // not of one that was stopped while it was opened
     void batch(const std::shared_ptr<const driftbench::SampleBlock> &samples);
     void gap(const driftbench::SampleGap &gap);
     void sourceSaid(const QString &sentence);

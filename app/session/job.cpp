@@ -1,7 +1,8 @@
 #include "app/session/job.h"
 
 #include <chrono>
-#include <memory>
+#include <string>
+#include <utility>
 
 namespace driftbench {
 
@@ -24,22 +25,43 @@ void Job::cancelAndWait()
         m_thread.join();
 }
 
-ProgressHook Job::hook()
+// On the thread of the work: thins out what it reports.
+class Job::Reporter
 {
+public:
+    explicit Reporter(Job &job) : m_job(job), m_post(job.sender()) {}
+
+    Flow take(const Progress &now)
+    {
+        m_stage = now.stage;
+        m_fraction = now.fraction;
+        m_untold = true;
+        if (Clock::now() >= m_next)
+            tell();
+        return m_job.m_cancelled ? Flow::Stop : Flow::Continue;
+    }
+    void tell()
+    {
+        if (!std::exchange(m_untold, false))
+            return;
+        m_next = Clock::now() + std::chrono::milliseconds(50);
+        m_post.post([job = &m_job, stage = m_stage, fraction = m_fraction] {
+            job->m_stage = QString::fromStdString(stage);
+            job->m_fraction = fraction;
+            emit job->progress(job->m_stage, job->m_fraction);
+        });
+    }
+
+private:
     using Clock = std::chrono::steady_clock;
-    const auto next = std::make_shared<Clock::time_point>();
-    return [this, next, post = sender()](const Progress &now) {
-        if (Clock::now() >= *next) {
-            *next = Clock::now() + std::chrono::milliseconds(50);
-            post.post([this, text = std::string(now.stage), part = now.fraction] {
-                m_stage = QString::fromStdString(text);
-                m_fraction = part;
-                emit progress(m_stage, m_fraction);
-            });
-        }
-        return m_cancelled ? Flow::Stop : Flow::Continue;
-    };
-}
+
+    Job &m_job;
+    OwnerMailbox::Sender m_post;
+    std::string m_stage;
+    double m_fraction = 0.0;
+    bool m_untold = false;
+    Clock::time_point m_next;
+};
 
 bool Job::run(Work work)
 {
@@ -52,8 +74,10 @@ bool Job::run(Work work)
     m_stage.clear();
     m_fraction = 0.0;
     emit runningChanged(true);
-    m_thread = std::jthread([this, work = std::move(work), report = hook(), post = sender()] {
-        Deliver deliver = work(report);
+    m_thread = std::jthread([this, work = std::move(work), post = sender()] {
+        Reporter reporter(*this);
+        Deliver deliver = work([&reporter](const Progress &now) { return reporter.take(now); });
+        reporter.tell();
         post.post([this, deliver = std::move(deliver)] { finish(deliver); });
     });
     return true;

@@ -34,8 +34,9 @@ public:
     void cancel();
 
 signals:
-    void runningChanged(bool running);                    // false: before the job's own signal of its outcome
-    void progress(const QString &stage, double fraction); // at most 20 times a second
+    void runningChanged(bool running); // false: before the job's own signal of its outcome
+    // At most 20 times a second, and how far the work was at its end.
+    void progress(const QString &stage, double fraction);
 
 protected:
     // Runs on the thread of the job; what it returns is called by the owner's thread at the end.
@@ -50,7 +51,8 @@ protected:
     OwnerMailbox::Sender sender() const { return m_mailbox.sender(); }
 
 private:
-    ProgressHook hook();
+    class Reporter;
+
     void finish(const Deliver &deliver);
 
     OwnerMailbox m_mailbox;

@@ -138,8 +138,6 @@ Status Session::saveAs(const fs::path &file)
     if (fs::equivalent(file, path(), code))
         return Error{Errc::InvalidOption,
                      file.string() + " is this session's own file; choose another name."};
-    if (Status saved = isReadOnly() ? Status() : saveAgain(); !saved)
-        return saved;
     if (Status copied = m_file.saveCopy(file); !copied)
         return copied;
     auto opened = SessionFile::open(file, SessionAccess::ReadWrite, writtenByThis());
@@ -148,6 +146,9 @@ Status Session::saveAs(const fs::path &file)
     const fs::path before = path();
     const bool wasUnnamed = m_unnamed && !isReadOnly();
     m_file = *std::move(opened);
+    // What the disk of the file before did not take, that of the new one may.
+    if (Status saved = saveAgain(); !saved)
+        return saved;
     if (m_unnamed) {
         if (Status named = m_file.removeDocument(kUnnamed); !named)
             return named;

@@ -116,6 +116,26 @@ Status writeFileAtomically(const std::filesystem::path &target, std::string_view
     return file->commit();
 }
 
+Status writeFilesTogether(const std::vector<FileText> &files)
+{
+    std::vector<AtomicFile> pending;
+    for (const auto &[target, text] : files) {
+        auto file = AtomicFile::create(target);
+        if (!file)
+            return file.error();
+        if (Status written = file->write(text); !written)
+            return written;
+        if (Status prepared = file->prepare(); !prepared)
+            return prepared;
+        pending.push_back(*std::move(file));
+    }
+    for (AtomicFile &file : pending) {
+        if (Status committed = file.commit(); !committed)
+            return committed;
+    }
+    return {};
+}
+
 Status ensureWritableFolder(const std::filesystem::path &folder)
 {
     std::error_code code;

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace driftbench {
 
@@ -40,6 +41,15 @@ private:
 };
 
 Status writeFileAtomically(const std::filesystem::path &target, std::string_view bytes);
+
+struct FileText
+{
+    std::filesystem::path target;
+    std::string text;
+};
+
+// All of them or, where the disk is full or may not be written to, none.
+Status writeFilesTogether(const std::vector<FileText> &files);
 
 // Makes folder (and those above it) unless it is there; an error says why it can't be written to.
 Status ensureWritableFolder(const std::filesystem::path &folder);

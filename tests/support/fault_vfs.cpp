@@ -4,6 +4,7 @@
 #include <cstring>
 #include <mutex>
 #include <sqlite3.h>
+#include <string_view>
 
 namespace driftbench::test {
 
@@ -16,6 +17,7 @@ struct Plan
     std::int64_t left = 0;
     bool lasting = false;
     bool happened = false;
+    std::string under;
 };
 Plan plan;
 
@@ -40,10 +42,12 @@ bool concerns(Fault fault, Operation operation)
     }
 }
 
-Fault due(Operation operation)
+Fault due(Operation operation, const char *name)
 {
     const std::lock_guard guard(plan.mutex);
     if (!concerns(plan.fault, operation))
+        return Fault::None;
+    if (!plan.under.empty() && (name == nullptr || !std::string_view(name).starts_with(plan.under)))
         return Fault::None;
     if (plan.left > 0)
         --plan.left;
@@ -62,7 +66,13 @@ sqlite3_vfs *systemVfs()
 struct FaultFile
 {
     sqlite3_file base;
+    const char *name; // SQLite keeps it as long as the file is open; null: a temporary one
 };
+
+const char *nameOf(sqlite3_file *file)
+{
+    return reinterpret_cast<FaultFile *>(file)->name;
+}
 
 sqlite3_file *real(sqlite3_file *file)
 {
@@ -72,7 +82,7 @@ sqlite3_file *real(sqlite3_file *file)
 int onWrite(sqlite3_file *file, const void *bytes, int count, sqlite3_int64 offset)
 {
     const auto write = real(file)->pMethods->xWrite;
-    switch (due(Operation::Write)) {
+    switch (due(Operation::Write, nameOf(file))) {
     case Fault::None:
         return write(real(file), bytes, count, offset);
     case Fault::DiskFull:
@@ -87,14 +97,15 @@ int onWrite(sqlite3_file *file, const void *bytes, int count, sqlite3_int64 offs
 
 int onSync(sqlite3_file *file, int flags)
 {
-    return due(Operation::Sync) == Fault::None ? real(file)->pMethods->xSync(real(file), flags)
-                                               : SQLITE_IOERR_FSYNC;
+    return due(Operation::Sync, nameOf(file)) == Fault::None ? real(file)->pMethods->xSync(real(file), flags)
+                                                             : SQLITE_IOERR_FSYNC;
 }
 
 int onTruncate(sqlite3_file *file, sqlite3_int64 size)
 {
-    return due(Operation::Truncate) == Fault::None ? real(file)->pMethods->xTruncate(real(file), size)
-                                                   : SQLITE_IOERR_TRUNCATE;
+    return due(Operation::Truncate, nameOf(file)) == Fault::None
+               ? real(file)->pMethods->xTruncate(real(file), size)
+               : SQLITE_IOERR_TRUNCATE;
 }
 
 const sqlite3_io_methods kMethods{
@@ -128,6 +139,7 @@ const sqlite3_io_methods kMethods{
 int onOpen(sqlite3_vfs *, const char *name, sqlite3_file *file, int flags, int *out)
 {
     file->pMethods = nullptr;
+    reinterpret_cast<FaultFile *>(file)->name = name;
     real(file)->pMethods = nullptr;
     const int code = systemVfs()->xOpen(systemVfs(), name, real(file), flags, out);
     if (real(file)->pMethods != nullptr)
@@ -149,9 +161,10 @@ void registerFaultVfs(bool asDefault)
     sqlite3_vfs_register(&vfs, asDefault ? 1 : 0);
 }
 
-void injectFault(Fault fault, std::int64_t at, bool lasting)
+void injectFault(Fault fault, std::int64_t at, bool lasting, const std::string &under)
 {
     const std::lock_guard guard(plan.mutex);
+    plan.under = under;
     plan.fault = fault;
     plan.left = at;
     plan.lasting = lasting;

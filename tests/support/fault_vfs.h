@@ -20,8 +20,9 @@ enum class Fault
 inline constexpr const char *kFaultVfs = "driftbench-faults";
 
 void registerFaultVfs(bool asDefault = false); // once or more; as default: for files that name no VFS as well
-// The n-th operation of that kind from now on (1: the next) fails; once, or also all after it.
-void injectFault(Fault fault, std::int64_t at, bool lasting);
+// The n-th operation of that kind from now on (1: the next) fails; once, or also all after it. under: only of
+// files whose path begins so.
+void injectFault(Fault fault, std::int64_t at, bool lasting, const std::string &under = {});
 void clearFaults();
 bool faultHappened(); // since it was injected
 

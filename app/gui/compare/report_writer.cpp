@@ -49,6 +49,12 @@ void ReportWriter::cancel()
 {
     m_cancelled = true;
     m_preparing.cancel();
+    m_writing.cancel();
+}
+
+static Error reportCancelled()
+{
+    return {Errc::Cancelled, "The report was cancelled; nothing was written."};
 }
 
 void ReportWriter::dataReady(const Status &outcome)
@@ -66,7 +72,7 @@ void ReportWriter::drawNext()
 {
     if (m_cancelled) {
         m_slices.stop();
-        return end(Error{Errc::Cancelled, "The report was cancelled; nothing was written."});
+        return end(reportCancelled());
     }
     if (m_next == m_tasks.size()) {
         m_slices.stop();
@@ -88,12 +94,14 @@ void ReportWriter::drawNext()
 void ReportWriter::writeNow()
 {
     emit progress(tr("Writing"), kDrawn);
-    m_writing.start([document = m_document, file = m_file](const ProgressHook &) -> Status {
+    m_writing.start([document = m_document, file = m_file](const ProgressHook &hook) -> Status {
         const bool html = file.extension() == ".html" || file.extension() == ".htm";
         if (!html && file.extension() != ".pdf")
             return Error{Errc::InvalidOption, "A report can't be written as " + file.string() +
                                                   ": give it the ending .pdf or .html."};
         const QByteArray bytes = html ? reportAsHtml(*document, lightPalette()) : reportAsPdf(*document);
+        if (report(hook, "writing", 1.0) == Flow::Stop)
+            return reportCancelled();
         return writeFileAtomically(
             file, std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
     });

@@ -31,8 +31,8 @@ namespace driftbench {
 static constexpr int kFactRows = 6;
 static constexpr int kDifferenceWidth = 210;
 
-DevicePanel::DevicePanel(Workbench &bench, QAction *restore, QAction *cancel, QAction *toSource,
-                         QWidget *parent)
+DevicePanel::DevicePanel(Workbench &bench, QAction *restore, QAction *cancel, QAction *look,
+                         QAction *toSource, QWidget *parent)
     : QWidget(parent)
     , m_bench(bench)
     , m_stack(new QStackedWidget)
@@ -41,6 +41,7 @@ DevicePanel::DevicePanel(Workbench &bench, QAction *restore, QAction *cancel, QA
     , m_restoreButton(new ActionButton(restore, ButtonSize::Small))
     , m_restore(restore)
     , m_cancel(cancel)
+    , m_look(look)
     , m_toSource(toSource)
 {
     auto *rows = new QVBoxLayout(this);
@@ -136,6 +137,15 @@ void DevicePanel::connectJob()
             look();
         emit stateChanged();
     });
+    connect(&m_bench.acquisition(), &Acquisition::stateChanged, this, [this](Acquisition::State state) {
+        if (state == Acquisition::State::Idle && std::exchange(m_lookAgain, false))
+            look();
+    });
+    // Plugged in again, perhaps.
+    connect(&m_bench, &Workbench::devicesChanged, this, [this] {
+        if (m_problem && isVisible())
+            look();
+    });
     connect(&m_bench, &Workbench::sourceChanged, this, [this] {
         m_tables.reset();
         m_problem.reset();
@@ -189,6 +199,13 @@ void DevicePanel::look()
         m_lookAgain = !m_writing;
         return;
     }
+    // A device has one user at a time: it is watched by another page no longer.
+    const bool watched =
+        m_bench.acquisition().state() != Acquisition::State::Idle && m_bench.sourceUse() == SourceUse::Watch;
+    if (watched && !m_bench.isSourceSimulated()) {
+        m_lookAgain = true;
+        return m_bench.stopSource();
+    }
     m_bench.upload().look(m_bench.clientOpener());
 }
 
@@ -232,80 +249,13 @@ void DevicePanel::lookedAt(const Result<DeviceTables> &tables)
     emit stateChanged();
 }
 
-void DevicePanel::showProgress(const QString &stage, double fraction)
-{
-    if (!m_writing)
-        return;
-    m_fraction = fraction;
-    using State = UploadSteps::State;
-    const bool reading = fraction >= kUploadWritten && fraction < kUploadReadBack;
-    const bool activating = fraction >= kUploadReadBack;
-    const UploadSteps::Step step = activating        ? UploadSteps::Activate
-                                   : reading         ? UploadSteps::ReadBack
-                                   : stage.isEmpty() ? UploadSteps::Begin
-                                                     : UploadSteps::Write;
-    if (step >= UploadSteps::Write)
-        showBytes(UploadSteps::Write, fraction / kUploadWritten);
-    if (step >= UploadSteps::ReadBack)
-        showBytes(UploadSteps::ReadBack, (fraction - kUploadWritten) / (kUploadReadBack - kUploadWritten));
-    m_steps->setState(State::Running, step);
-    m_bar->setValue(static_cast<int>(1000.0 * fraction));
-    m_percent->setText(tr("%1 %").arg(numberText(100.0 * fraction, 0)));
-    m_title->setText(activating && !stage.isEmpty() ? tr("Activating and checking")
-                                                    : tr("Writing the spare bank"));
-    m_note->setText(tr("The table in use stays active until the last step."));
-    m_cancelButton->show();
-    emit stateChanged();
-}
-
-void DevicePanel::showBytes(int step, double share)
-{
-    const double bytes = m_preview ? static_cast<double>(m_preview->image.size()) : 0.0;
-    m_steps->setDetail(
-        static_cast<UploadSteps::Step>(step),
-        tr("%1 of %2 B").arg(numberText(std::min(1.0, share) * bytes, 0), numberText(bytes, 0)));
-}
-
-void DevicePanel::showUploadIdle()
-{
-    m_fraction = 0.0;
-    m_showOutcome = {};
-    m_steps->setState(UploadSteps::State::Idle);
-    for (int step = 0; step < UploadSteps::kSteps; ++step)
-        m_steps->setDetail(static_cast<UploadSteps::Step>(step), {});
-    m_bar->setValue(0);
-    m_percent->setText({});
-    m_title->setText(tr("Write to the device"));
-    m_note->setText(tr("The table in use stays active until the last step."));
-    m_cancelButton->hide();
-}
-
-void DevicePanel::showWord(const QString &text, int tone)
-{
-    m_result->setTone(static_cast<Tone>(tone));
-    m_result->setText(text);
-    m_result->setVisible(!text.isEmpty());
-}
-
 void DevicePanel::uploaded(const Result<UploadOutcome> &outcome)
 {
     m_writing = false;
     m_cancelButton->hide();
     QTimer::singleShot(0, this, &DevicePanel::look);
-    if (!outcome) {
-        const bool cancelled = outcome.error().code == Errc::Cancelled;
-        m_steps->setState(UploadSteps::State::Failed, m_steps->current());
-        m_showOutcome = [this, cancelled] {
-            m_title->setText(cancelled ? tr("Cancelled") : tr("Not written"));
-            m_note->setText({});
-        };
-        m_showOutcome();
-        showWord(QString::fromStdString(outcome.error().message), int(cancelled ? Tone::Plain : Tone::Bad));
-        emit told(!cancelled, cancelled ? tr("The upload was cancelled.") : tr("The table was not written."),
-                  QString::fromStdString(outcome.error().message));
-        emit stateChanged();
-        return;
-    }
+    if (!outcome)
+        return showFailed(outcome.error());
     const TableUploadReport &report = outcome->report;
     m_steps->setState(report.rolledBack ? UploadSteps::State::Failed : UploadSteps::State::Done,
                       UploadSteps::Activate);
@@ -318,20 +268,6 @@ void DevicePanel::uploaded(const Result<UploadOutcome> &outcome)
               report.rolledBack ? tr("The new table was rolled back.") : tr("The table is on the device."),
               checkText(report));
     emit stateChanged();
-}
-
-void DevicePanel::showUploaded(const TableUploadReport &report)
-{
-    // The last of the progress may never have come, where it all went fast.
-    showBytes(UploadSteps::Write, 1.0);
-    showBytes(UploadSteps::ReadBack, 1.0);
-    m_steps->setDetail(UploadSteps::Verify, crcText(report.crc));
-    m_steps->setDetail(UploadSteps::Commit, tr("gen. %1").arg(report.generation));
-    m_steps->setDetail(UploadSteps::Activate, tr("bank %1").arg(bankName(report.bank)));
-    m_percent->setText(tr("%1 %").arg(100));
-    m_title->setText(report.rolledBack ? tr("Rolled back")
-                                       : tr("Bank %1 is in use").arg(bankName(report.bank)));
-    showWord(checkText(report), int(report.rolledBack ? Tone::Bad : Tone::Good));
 }
 
 void DevicePanel::record(const UploadOutcome &outcome)

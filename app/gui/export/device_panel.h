@@ -33,7 +33,7 @@ class DevicePanel : public QWidget
 
 public:
     // The actions are the page's.
-    DevicePanel(Workbench &bench, QAction *restore, QAction *cancel, QAction *toSource,
+    DevicePanel(Workbench &bench, QAction *restore, QAction *cancel, QAction *look, QAction *toSource,
                 QWidget *parent = nullptr);
 
     void setPreview(std::shared_ptr<const ExportPreview> preview, const TrainedModel *model);
@@ -73,6 +73,7 @@ private:
     void rolledBack(const Result<TableRollbackReport> &outcome);
     void showProgress(const QString &stage, double fraction);
     void showBytes(int step, double share); // of an UploadSteps::Step
+    void showFailed(const Error &error);
     void showFacts();
     void showUploadIdle();
     void showWord(const QString &text, int tone);
@@ -92,7 +93,7 @@ private:
     ActionButton *m_cancelButton;
     QProgressBar *m_bar;
     UploadSteps *m_steps;
-    QAction *m_restore, *m_cancel, *m_toSource;
+    QAction *m_restore, *m_cancel, *m_look, *m_toSource;
 
     std::shared_ptr<const ExportPreview> m_preview;
     bool m_previewStale = false;

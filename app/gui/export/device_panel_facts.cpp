@@ -1,6 +1,7 @@
 #include "app/gui/export/device_panel.h"
 
 #include "app/gui/export/device_words.h"
+#include "app/gui/export/upload_steps.h"
 #include "app/gui/workbench.h"
 #include "widgets/controls/empty_state.h"
 #include "widgets/controls/section_head.h"
@@ -40,7 +41,7 @@ static std::optional<DeviceImage> decoded(const std::vector<std::uint8_t> &bytes
 void DevicePanel::showFacts()
 {
     const QString none = QStringLiteral("–");
-    std::vector<FactPair> pairs{{tr("Bank, generation"), tr("none"), none},
+    std::vector<FactPair> pairs{{tr("Bank, generation"), m_tables ? tr("none") : tr("not known"), none},
                                 {tr("Model"), none, none},
                                 {tr("Range, rows"), none, none},
                                 {tr("Kind, thermometer"), none, none},
@@ -93,9 +94,11 @@ void DevicePanel::showFacts()
                                   : tr("%1, firmware %2").arg(model, firmware));
     } else {
         m_head->setTitle(tr("Device"));
-        m_head->setNote({});
+        m_head->setNote(problem());
     }
-    m_stack->setCurrentIndex(m_tables ? 1 : 0);
+    // Where an upload was cut off stays in sight, though the device is gone.
+    const bool cutOff = m_problem && m_steps->state() == UploadSteps::State::Failed;
+    m_stack->setCurrentIndex(m_tables || m_writing || cutOff ? 1 : 0);
     if (!m_bench.sourceChoice())
         m_empty->setTexts(tr("No device chosen"),
                           tr("Choose the simulated bridge or a plugged-in one as source."));
@@ -103,8 +106,9 @@ void DevicePanel::showFacts()
         m_empty->setTexts(tr("No tables there"), QString::fromStdString(m_problem->message));
     else
         m_empty->setTexts(tr("Looking at the device"), m_bench.sourceName());
-    m_empty->setActions(m_bench.sourceChoice() && !m_problem ? std::vector<QAction *>{}
-                                                             : std::vector<QAction *>{m_toSource});
+    m_empty->setActions(!m_bench.sourceChoice() ? std::vector<QAction *>{m_toSource}
+                        : m_problem             ? std::vector<QAction *>{m_look, m_toSource}
+                                                : std::vector<QAction *>{});
     emit stateChanged();
 }
 

@@ -7,6 +7,7 @@
 #include "app/gui/workbench.h"
 #include "widgets/controls/action_button.h"
 #include "widgets/controls/empty_state.h"
+#include "widgets/controls/loading_state.h"
 #include "widgets/controls/number_field.h"
 #include "widgets/controls/panel.h"
 #include "widgets/controls/segmented_buttons.h"
@@ -40,6 +41,7 @@ ComparePage::ComparePage(AppContext &context, QWidget *parent)
     : Page(context, parent)
     , m_stack(new QStackedWidget)
     , m_empty(new EmptyState(stepIcon(Step::Compare)))
+    , m_loading(new LoadingState)
     , m_runs(new SegmentedButtons({}, ButtonSize::Small))
     , m_manyRuns(new QComboBox)
     , m_plots(new JudgedRunView)
@@ -48,6 +50,8 @@ ComparePage::ComparePage(AppContext &context, QWidget *parent)
     , m_reports(new ReportWriter(this))
 {
     m_report = addPageAction(QKeySequence::Print, QStringLiteral("report"), [this] { askReport(); });
+    m_cancel =
+        addPageAction(QKeySequence(Qt::Key_Escape), QStringLiteral("stop"), [this] { cancelReport(); });
     m_toTrain =
         addPageAction({}, QStringLiteral("train"), [this] { this->context().navigator.go(Step::Train); });
     for (int run = 0; run < kRunKeys; ++run)
@@ -59,6 +63,9 @@ ComparePage::ComparePage(AppContext &context, QWidget *parent)
     emptyPanel->rows()->addWidget(m_empty);
     m_stack->addWidget(emptyPanel);
     m_stack->addWidget(buildBody());
+    auto *loadingPanel = new Panel;
+    loadingPanel->rows()->addWidget(m_loading);
+    m_stack->addWidget(loadingPanel);
     setBody(m_stack);
     connect(&m_tracing, &TaskJob::finished, this, &ComparePage::tracesReady);
     connect(m_reports, &ReportWriter::finished, this, &ComparePage::reportEnded);
@@ -91,8 +98,12 @@ void ComparePage::buildHead()
     m_bar->setFixedSize(96, 8);
     m_bar->setRange(0, 1000);
     m_bar->setTextVisible(false);
+    m_cancelButton = new ActionButton(m_cancel, ButtonSize::Head);
     m_bar->hide();
-    for (QWidget *control : std::initializer_list<QWidget *>{limit, m_judging, m_bar, m_reportButton})
+    m_cancelButton->hide();
+    m_cancel->setEnabled(false);
+    for (QWidget *control :
+         std::initializer_list<QWidget *>{limit, m_judging, m_bar, m_cancelButton, m_reportButton})
         head().addControl(control);
     connect(m_limit, &QDoubleSpinBox::valueChanged, this, &ComparePage::setLimit);
     connect(m_judging, &SegmentedButtons::currentChanged, this, &ComparePage::judgeAgain);
@@ -135,6 +146,11 @@ void ComparePage::connectSession()
     connect(&bench, &Workbench::runsChanged, this, &ComparePage::showResult);
     connect(&bench, &Workbench::preparedChanged, this, &ComparePage::loadTraces);
     connect(&bench, &Workbench::resultChanged, this, &ComparePage::showResult);
+    // Queued: the outcome comes right after it.
+    connect(&bench.training(), &Job::runningChanged, this, &ComparePage::showState, Qt::QueuedConnection);
+    connect(&bench.training(), &Job::progress, this,
+            [this](const QString &stage, double fraction) { m_loading->setProgress(stage, fraction); });
+    connect(m_loading, &LoadingState::cancelled, &bench.training(), &Job::cancel);
     showResult();
 }
 
@@ -219,13 +235,23 @@ void ComparePage::writeReport(const std::filesystem::path &file)
     if (!m_reports->start(session.prepared(), session.result(), session.plan().limitRmsDps, file))
         return;
     m_bar->show();
+    m_cancelButton->show();
+    m_cancel->setEnabled(true);
     m_report->setEnabled(false);
     m_report->setProperty("file", QString::fromStdString(file.string()));
+}
+
+void ComparePage::cancelReport()
+{
+    m_cancel->setEnabled(false);
+    m_reports->cancel();
 }
 
 void ComparePage::reportEnded(const Status &outcome)
 {
     m_bar->hide();
+    m_cancelButton->hide();
+    m_cancel->setEnabled(false);
     m_report->setEnabled(result() != nullptr);
     if (outcome) {
         const QString file = m_report->property("file").toString();
@@ -233,6 +259,11 @@ void ComparePage::reportEnded(const Status &outcome)
         banners().post(QString::fromLatin1(kReport),
                        bannerOf(
                            BannerKind::Info, [] { return tr("The report is written."); }, file));
+        return;
+    }
+    if (outcome.error().code == Errc::Cancelled) {
+        banners().post(QString::fromLatin1(kReport),
+                       bannerOf(BannerKind::Info, [] { return tr("The report was cancelled."); }, {}));
         return;
     }
     banners().post(QString::fromLatin1(kReport),
@@ -286,6 +317,7 @@ void ComparePage::retranslate()
     m_judging->setTexts({tr("Absolute"), tr("Anchored")});
     m_report->setText(tr("Report…"));
     m_report->setToolTip(tr("Everything found as PDF or as one HTML file"));
+    m_cancel->setText(tr("Cancel"));
     m_toTrain->setText(tr("Train"));
     m_manyRuns->setAccessibleName(tr("Held-out run"));
     m_runs->setAccessibleName(tr("Held-out run"));
@@ -296,7 +328,7 @@ void ComparePage::retranslate()
     m_empty->setActions({m_toTrain});
     for (std::size_t run = 0; run < m_runKeys.size(); ++run)
         m_runKeys[run]->setText(tr("Held-out run %1").arg(run + 1));
-    setEmptyTexts();
+    showState();
     if (context().workbench != nullptr)
         showPlan();
 }

@@ -23,6 +23,7 @@ class ComparisonTableModel;
 class DataTable;
 class EmptyState;
 class JudgedRunView;
+class LoadingState;
 class NumberField;
 class Panel;
 class ReportWriter;
@@ -63,6 +64,7 @@ private:
     void connectSession();
     void editPlan(const QString &step, const std::function<void(CalibrationPlan &)> &change);
     void judgeAgain(int choice);
+    void cancelReport();
     void askReport();
     void reportEnded(const Status &outcome);
     void showResult();
@@ -72,16 +74,17 @@ private:
     void showTable();
     void loadTraces();
     void tracesReady(const Status &outcome);
-    void setEmptyTexts();
+    void showState(); // the comparison, that it is being made, or that there is none
     QString runTitle() const;
     const CalibrationResult *result() const;
 
     QStackedWidget *m_stack;
     EmptyState *m_empty;
+    LoadingState *m_loading;
     NumberField *m_limit;
     SegmentedButtons *m_judging;
-    QAction *m_report, *m_toTrain;
-    ActionButton *m_reportButton;
+    QAction *m_report, *m_cancel, *m_toTrain;
+    ActionButton *m_reportButton, *m_cancelButton;
     QProgressBar *m_bar;
     std::array<VerdictCard *, 3> m_cards;
     SegmentedButtons *m_runs;

@@ -7,6 +7,7 @@
 #include "app/gui/workbench.h"
 #include "engine/evaluation/axis_finding.h"
 #include "widgets/controls/empty_state.h"
+#include "widgets/controls/loading_state.h"
 #include "widgets/controls/number_field.h"
 #include "widgets/controls/panel.h"
 #include "widgets/controls/segmented_buttons.h"
@@ -27,16 +28,16 @@
 namespace driftbench {
 
 static constexpr int kMostRunButtons = 6;
+static constexpr int kEmpty = 0, kComparison = 1, kLoading = 2; // pages, as the constructor adds them
 
 void ComparePage::showResult()
 {
     const CalibrationResult *found = result();
-    m_stack->setCurrentIndex(found != nullptr ? 1 : 0);
     m_report->setEnabled(found != nullptr && !m_reports->isRunning());
     head().setOrigin(found == nullptr           ? Origin::None
                      : found->figures.simulated ? Origin::Simulated
                                                 : Origin::Real);
-    setEmptyTexts();
+    showState();
     if (found != nullptr) {
         m_run = std::clamp(m_run, 0, std::max(0, static_cast<int>(found->heldOut.size()) - 1));
         showRunChoice();
@@ -157,12 +158,15 @@ void ComparePage::tracesReady(const Status &)
     m_plots->setData({m_traces, context().workbench->session().plan().limitRmsDps});
 }
 
-void ComparePage::setEmptyTexts()
+void ComparePage::showState()
 {
-    if (context().workbench != nullptr && context().workbench->training().isRunning())
-        m_empty->setTexts(tr("Being judged"), tr("The models are trained and judged on runs held out."));
-    else
-        m_empty->setTexts(tr("Nothing to judge"), tr("Train a model first."));
+    m_empty->setTexts(tr("Nothing to judge"), tr("Train a model first."));
+    const bool judging = context().workbench != nullptr && context().workbench->training().isRunning();
+    const int shown = result() != nullptr ? kComparison : judging ? kLoading : kEmpty;
+    if (shown == kLoading && m_stack->currentIndex() != kLoading)
+        m_loading->setProgress(tr("The models are trained and judged on runs held out."), -1.0);
+    m_stack->setCurrentIndex(shown);
+    m_cancel->setEnabled(m_reports->isRunning() && shown != kLoading); // which has Esc for itself
 }
 
 } // namespace driftbench

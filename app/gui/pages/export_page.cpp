@@ -63,7 +63,7 @@ ExportPage::ExportPage(AppContext &context, QWidget *parent)
         addPageAction({}, QStringLiteral("source"), [this] { this->context().navigator.go(Step::Source); });
     m_toTrain =
         addPageAction({}, QStringLiteral("train"), [this] { this->context().navigator.go(Step::Train); });
-    addPageAction(QKeySequence(Qt::Key_F5), {}, [this] { m_device->look(); });
+    m_look = addPageAction(QKeySequence(Qt::Key_F5), QStringLiteral("refresh"), [this] { m_device->look(); });
     setPrimaryAction(m_write);
     head().addControl(m_model);
     head().addControl(new ActionButton(m_save, ButtonSize::Head));
@@ -126,7 +126,7 @@ QWidget *ExportPage::buildRight()
     errors->setMinimumHeight(180);
     rows->addWidget(errors, 1);
     if (context().workbench != nullptr) {
-        m_device = new DevicePanel(*context().workbench, m_restore, m_cancel, m_toSource);
+        m_device = new DevicePanel(*context().workbench, m_restore, m_cancel, m_look, m_toSource);
         rows->addWidget(m_device, 1);
     }
     return right;
@@ -162,7 +162,7 @@ void ExportPage::connectSession()
     connect(m_device, &DevicePanel::told, this, [this](bool bad, const QString &what, const QString &toDo) {
         context().events.add(bad ? EventKind::Bad : EventKind::Info, what + QLatin1Char(' ') + toDo);
         if (bad)
-            banners().post(QString::fromLatin1(kOutcome), bannerOf(BannerKind::Bad, what, toDo));
+            banners().post(QString::fromLatin1(kOutcome), bannerOf(BannerKind::Bad, what, toDo, {m_look}));
     });
     showModels();
     makePreview();
@@ -256,7 +256,7 @@ void ExportPage::saveFiles(const std::filesystem::path &folder)
     const TrainedModel *model = session.chosenModel();
     if (model == nullptr || !m_preview || !m_preview->table || m_saving.isRunning())
         return;
-    std::vector<std::pair<std::filesystem::path, std::string>> files;
+    std::vector<FileText> files;
     m_records.clear();
     const auto add = [&](const std::string &format, const std::string &name, std::string text) {
         ExportRecord record;
@@ -266,7 +266,7 @@ void ExportPage::saveFiles(const std::filesystem::path &folder)
         record.bytes = static_cast<std::int64_t>(text.size());
         record.crc32 = crc32(text);
         m_records.push_back(record);
-        files.emplace_back(folder / name, std::move(text));
+        files.push_back({folder / name, std::move(text)});
     };
     for (const ExportFormat format : session.exportChoice().formats) {
         const FilePreview *file = m_preview->file(format);
@@ -276,13 +276,8 @@ void ExportPage::saveFiles(const std::filesystem::path &folder)
     if (m_files->imageChosen() && !m_preview->image.empty())
         add("device", imageFileName(*model), std::string(m_preview->image.begin(), m_preview->image.end()));
     m_folder = QString::fromStdString(folder.string());
-    m_saving.start([files = std::move(files)](const ProgressHook &) -> Status {
-        for (const auto &[path, text] : files) {
-            if (Status written = writeFileAtomically(path, text); !written)
-                return written;
-        }
-        return {};
-    });
+    m_saving.start(
+        [files = std::move(files)](const ProgressHook &) -> Status { return writeFilesTogether(files); });
     showButtons();
 }
 
@@ -348,6 +343,7 @@ void ExportPage::retranslate()
     m_restore->setText(tr("Restore"));
     m_restore->setToolTip(tr("Takes the table out of use; the one before it takes over"));
     m_cancel->setText(tr("Cancel"));
+    m_look->setText(tr("Look again"));
     m_toSource->setText(tr("Choose a source"));
     m_toTrain->setText(tr("Train"));
     m_empty->setTexts(tr("No model yet"), tr("Train a model first."));

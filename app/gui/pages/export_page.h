@@ -81,7 +81,7 @@ private:
     FileChoices *m_files;
     TableErrorView *m_errors;
     DevicePanel *m_device = nullptr;
-    QAction *m_save, *m_write, *m_restore, *m_cancel, *m_toSource, *m_toTrain;
+    QAction *m_save, *m_write, *m_restore, *m_cancel, *m_look, *m_toSource, *m_toTrain;
 
     TaskJob m_previewing;
     std::shared_ptr<ExportPreview> m_pending;

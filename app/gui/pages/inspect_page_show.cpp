@@ -105,6 +105,8 @@ void InspectPage::take(const std::shared_ptr<const InspectionData> &seen)
     const auto &prepared = context().workbench->session().prepared();
     if (again && prepared)
         return look();
+    if (!seen && prepared)
+        return sayFailure({Errc::Cancelled, {}});
     if (!seen || seen->prepared != prepared)
         return; // of runs that are gone
     m_seen = seen;

@@ -58,6 +58,7 @@ void RecordPage::addActions()
         context().workbench->acquisition().finishAgain();
     });
     connect(m_saveRest, &QAction::triggered, this, &RecordPage::saveUnwritten);
+    connect(&m_savingRest, &TaskJob::finished, this, &RecordPage::restWritten);
     setPrimaryAction(m_start);
 
     m_pauseButton = new ActionButton(m_pause, ButtonSize::Head);
@@ -121,8 +122,9 @@ void RecordPage::connectWork()
     connect(m_run, &LiveRun::deviceBack, this, [this] { banners().withdraw(QStringLiteral("absence")); });
     connect(m_run, &LiveRun::planEnded, this, &RecordPage::endRun);
     connect(&acquisition, &Acquisition::started, this, &RecordPage::sourceStarted);
-    connect(&acquisition, &Acquisition::finished, this, [this](const Result<SourceStats> &outcome) {
-        if (!outcome.ok())
+    connect(&acquisition, &Acquisition::finished, this, [this, &acquisition](const auto &outcome) {
+        // By now the next one may be being opened.
+        if (!outcome.ok() && acquisition.state() == Acquisition::State::Idle)
             sourceEnded(outcome.error());
         showState();
     });

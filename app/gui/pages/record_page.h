@@ -4,10 +4,13 @@
 
 #include "app/gui/banner_of.h"
 #include "app/gui/page.h"
+#include "app/session/job.h"
 #include "engine/base/result.h"
+#include "engine/recording/recording.h"
 
 #include <QTimer>
 
+#include <memory>
 #include <optional>
 
 class QStackedWidget;
@@ -31,7 +34,6 @@ public:
 
     StepState stepState() const override;
     QString hints() const override;
-    std::vector<StatusPart> statusParts() const override;
     void entered() override;
 
     LiveTraceView &view() const { return *m_view; }
@@ -67,6 +69,8 @@ private:
     void say(const QString &key, BannerKind kind, Words what, Words toDo, std::vector<QAction *> actions = {},
              bool closable = true);
     void saveUnwritten();
+    void writeRest(const QString &file);
+    void restWritten(const Status &outcome);
     int runNumber() const;
     int runsWanted() const;
 
@@ -92,6 +96,9 @@ private:
     bool m_starting = false;  // the source is being opened for a run
     bool m_brokenOff = false; // the run ends before its plan: by the user, or by an error
     std::optional<int> m_percent;
+    std::shared_ptr<const Recording> m_rest; // of a run, that no file has yet
+    QString m_restFile;
+    TaskJob m_savingRest;
 };
 
 } // namespace driftbench

@@ -53,6 +53,7 @@ void RecordPage::sourceStarted()
         say(
             QStringLiteral("source"), BannerKind::Bad, [] { return tr("The run can't be recorded."); },
             sentenceOf(started.error()));
+        emit workbench.problem(started.error());
     }
     m_readouts->clearTrend();
     showState();
@@ -147,20 +148,33 @@ void RecordPage::saveUnwritten()
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setNameFilter(tr("CSV log (*.csv)"));
     dialog->setDefaultSuffix(QStringLiteral("csv"));
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString &file) {
-        Acquisition &acquisition = context().workbench->acquisition();
-        const auto rest = acquisition.takeUnwritten();
-        if (!rest)
-            return;
-        const Status written = writeCsv(file.toStdString(), *rest);
-        if (written.ok())
-            say(QStringLiteral("recorder"), BannerKind::Info,
-                [file] { return tr("The rest of the run is in %1.").arg(file); }, {});
-        else
-            say(QStringLiteral("recorder"), BannerKind::Bad, sentenceOf(written.error()), {}, {m_saveRest},
-                false);
-    });
+    connect(dialog, &QFileDialog::fileSelected, this, &RecordPage::writeRest);
     dialog->open();
+}
+
+// It is kept until it is on a disk.
+void RecordPage::writeRest(const QString &file)
+{
+    if (auto rest = context().workbench->acquisition().takeUnwritten())
+        m_rest = std::make_shared<const Recording>(*std::move(rest));
+    if (!m_rest)
+        return;
+    const bool begun = m_savingRest.start(
+        [rest = m_rest, path = file.toStdString()](const ProgressHook &) { return writeCsv(path, *rest); });
+    if (begun) {
+        m_restFile = file;
+        banners().withdraw(QStringLiteral("recorder"));
+    }
+}
+
+void RecordPage::restWritten(const Status &outcome)
+{
+    const QString key = QStringLiteral("rest");
+    if (!outcome.ok())
+        return say(key, BannerKind::Bad, sentenceOf(outcome.error()), {}, {m_saveRest}, false);
+    m_rest.reset();
+    say(key, BannerKind::Info, [file = m_restFile] { return tr("The rest of the run is in %1.").arg(file); },
+        {});
 }
 
 void RecordPage::setViewPaused(bool paused)
@@ -320,18 +334,6 @@ QString RecordPage::hints() const
         return tr("Space resume the view · Wheel zoom · Drag pan · A, B set a cursor at the mouse");
     return tr(
         "Wheel zoom · Drag pan · Shift+drag box zoom · Double-click fit · A, B set a cursor at the mouse");
-}
-
-std::vector<StatusPart> RecordPage::statusParts() const
-{
-    const LinkFigures &link = m_run->link();
-    if (!m_run->isRecording() || link.samples == 0)
-        return {};
-    if (link.lost == 0)
-        return {{tr("No samples dropped"), Tone::Plain}};
-    return {{tr("%1 dropped of %2")
-                 .arg(numberText(double(link.lost), 0), numberText(double(link.samples + link.lost), 0)),
-             Tone::Caution}};
 }
 
 } // namespace driftbench

@@ -4,7 +4,9 @@
 #include "app/gui/main_window.h"
 #include "app/gui/pages/export_page.h"
 #include "app/gui/pages/plan_page.h"
+#include "app/gui/pages/record_page.h"
 #include "app/gui/pages/source_page.h"
+#include "app/gui/record/live_run.h"
 #include "app/gui/source/source_form.h"
 #include "app/gui/workbench.h"
 
@@ -113,7 +115,14 @@ static TourStep recordStep(MainWindow &window, Workbench &bench)
     step.perform = record;
     step.carryOn = record;
     step.isDone = [&bench] { return finishedRuns(bench.session()) >= kTourRuns; };
-    step.trouble = [&bench] { return sourceMissing(bench); };
+    step.trouble = [&window, &bench] {
+        const auto &page = static_cast<RecordPage &>(*window.page(Step::Record));
+        if (page.run().unpluggedAtS())
+            return tourText(QT_TRANSLATE_NOOP(
+                "SimulatedTour",
+                "The bridge was unplugged. Plug it in and try again, or stop the run and end the tour."));
+        return sourceMissing(bench);
+    };
     step.state = [&bench] {
         return tourText(QT_TRANSLATE_NOOP("SimulatedTour", "Recording run %1 of %2."))
             .arg(std::min(finishedRuns(bench.session()) + 1, kTourRuns))

@@ -1,0 +1,101 @@
+// The whole window for tests of what goes wrong in it: runs that are quick to train on, the simulated bridge
+// as source, and the question that follows every fault: is it still usable?
+#pragma once
+
+#include "support/gui_window.h"
+#include "support/session_runs.h"
+
+#include <QAction>
+#include <QSignalSpy>
+
+namespace driftbench::test {
+
+inline constexpr int kPatienceMs = 60'000;
+
+inline void addStepRows()
+{
+    static constexpr const char *kNames[] = {"source", "plan",    "record", "inspect",
+                                             "train",  "compare", "export"};
+    QTest::addColumn<int>("step");
+    for (const Step step : kSteps)
+        QTest::newRow(kNames[int(step)]) << int(step);
+}
+
+// 20 to 32 degrees, 240 s in all.
+inline TestPlan shortPlan()
+{
+    TestPlan plan;
+    plan.sensor = *namedSensor("I3G4250D");
+    plan.chamber = *namedChamber("SET-Z-021");
+    plan.lowestC = 20.0;
+    plan.highestC = 32.0;
+    plan.stepC = 0.5;
+    plan.periodS = 5.0;
+    plan.holdS = 60.0;
+    plan.runs = 2;
+    return plan;
+}
+
+class FaultyWindow : public GuiWindow
+{
+public:
+    explicit FaultyWindow(int runs, HidAccess devices = noDevices(), bool watch = false)
+        : GuiWindow({}, std::move(devices), watch)
+    {
+        if (!watch)
+            chooseSimulated(20.0);
+        if (!session().setTestPlan(shortPlan()))
+            qFatal("no plan");
+        if (runs > 0)
+            addRuns(session(), runs);
+        setModels({"constant", "linear", "cubic"});
+    }
+    ~FaultyWindow() { bench->stopSource(); }
+
+    Session &session() const { return bench->session(); }
+    template <class P>
+    P &page(Step step)
+    {
+        return static_cast<P &>(*main().page(step));
+    }
+
+    void chooseSimulated(double speed)
+    {
+        SimulatedChoice simulated;
+        simulated.speed = speed;
+        simulated.sensor = "L3GD20H";
+        simulated.serial = "T-1";
+        bench->setSourceChoice({simulated});
+    }
+    void setModels(const std::vector<std::string> &models)
+    {
+        CalibrationPlan plan = session().plan();
+        plan.models = models;
+        if (!session().editPlan(plan, QStringLiteral("models")))
+            qFatal("no models");
+    }
+
+    bool idle() const { return !bench->training().isRunning(); }
+    bool train()
+    {
+        return QTest::qWaitFor([this] { return idle(); }, kPatienceMs) && bench->train().ok() &&
+               QTest::qWaitFor([this] { return idle() && session().result(); }, kPatienceMs);
+    }
+
+    // Nothing in the way, every step comes by its key, and the one that was shown is shown again.
+    void expectUsable()
+    {
+        const Step before = main().currentStep();
+        QVERIFY(QApplication::activeModalWidget() == nullptr);
+        QVERIFY(main().isEnabled() && main().isVisible());
+        for (int i = 0; i <= int(kSteps.size()); ++i) {
+            const Step step = i < int(kSteps.size()) ? kSteps[std::size_t(i)] : before;
+            QTest::keyClick(&main(), Qt::Key(Qt::Key_1 + int(step)), Qt::AltModifier);
+            QCOMPARE(main().currentStep(), step);
+            QVERIFY(main().page(step)->isVisible() && main().page(step)->isEnabled());
+            QVERIFY(!main().page(step)->hints().isEmpty());
+        }
+    }
+};
+
+} // namespace driftbench::test
