@@ -5,18 +5,17 @@
 #include "engine/base/random.h"
 #include "engine/base/statistics.h"
 #include "engine/base/text.h"
+#include "support/no_room.h"
 #include "support/test_data.h"
 
 #include <algorithm>
 #include <atomic>
 #include <bit>
 #include <cmath>
-#include <csignal>
 #include <fstream>
 #include <limits>
 #include <numbers>
 #include <sstream>
-#include <sys/resource.h>
 
 using namespace driftbench;
 
@@ -42,6 +41,7 @@ private slots:
     void parallelFor_everyIndexOnce();
     void atomicFile_withoutCommit_keepsTheOldContent();
     void atomicFile_tooLargeForItsDisk_keepsTheOldContent();
+    void writeFilesTogether_oneTooLarge_keepsTheOldContentOfAll();
     void atomicFile_missingFolder_isAnError();
     void ensureWritableFolder_onAFile_isAnError();
 };
@@ -272,17 +272,34 @@ void TestBase::atomicFile_tooLargeForItsDisk_keepsTheOldContent()
 {
     const auto path = test::scratchFolder() / "limited.txt";
     QVERIFY(writeFileAtomically(path, "old"));
-    rlimit before{};
-    QCOMPARE(::getrlimit(RLIMIT_FSIZE, &before), 0);
-    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-    const rlimit small{65536, before.rlim_max};
-    QCOMPARE(::setrlimit(RLIMIT_FSIZE, &small), 0);
-    const Status written = writeFileAtomically(path, std::string(3000000, 'x'));
-    QCOMPARE(::setrlimit(RLIMIT_FSIZE, &before), 0);
-    std::signal(SIGXFSZ, handler);
+    const auto written = [&path] {
+        const test::NoRoom full(65536);
+        return writeFileAtomically(path, std::string(3000000, 'x'));
+    }();
     QVERIFY(!written);
     QVERIFY(written.error().message.find("limited.txt") != std::string::npos);
     QCOMPARE(contentOf(path), std::string("old"));
+}
+
+void TestBase::writeFilesTogether_oneTooLarge_keepsTheOldContentOfAll()
+{
+    const auto first = test::scratchFolder() / "first.txt";
+    const auto second = test::scratchFolder() / "second.txt";
+    const auto write = [&](std::size_t bytes) {
+        return writeFilesTogether({{first, "new"}, {second, std::string(bytes, 'x')}});
+    };
+    QVERIFY(writeFilesTogether({{first, "old"}, {second, "old"}}));
+    {
+        const test::NoRoom full(65536);
+        const Status written = write(3000000);
+        QVERIFY(!written);
+        QVERIFY(written.error().message.find("second.txt") != std::string::npos);
+    }
+    QCOMPARE(contentOf(first), std::string("old"));
+    QCOMPARE(contentOf(second), std::string("old"));
+    QVERIFY(write(10));
+    QCOMPARE(contentOf(first), std::string("new"));
+    QCOMPARE(contentOf(second), std::string(10, 'x'));
 }
 
 void TestBase::atomicFile_missingFolder_isAnError()

@@ -23,7 +23,7 @@ private slots:
     void cancelledTraining_onEachStep_windowStaysUsable();
     void tour_trainingCancelled_doesNotHang();
     void cancelledJudging_onCompare_windowStaysUsable();
-    void cancelledReading_onSource_leavesNoRun();
+    void cancelledReading_onSource_leavesNoHalfRun();
     void cancelledReading_onInspect_isReadWhenComeBack_data();
     void cancelledReading_onInspect_isReadWhenComeBack();
     void cancelledReport_onCompare_isWrittenTheNextTime();
@@ -47,12 +47,13 @@ void TestGuiFaultsCancel::cancelledTraining_onEachStep_windowStaysUsable()
 {
     QFETCH(int, step);
     FaultyWindow window(3);
-    window.setModels({"constant", "linear", "cubic", "rbf", "bp"});
+    window.setModels({"constant", "linear", "cubic", "rbf", "bpnn"});
     window.main().showStep(static_cast<Step>(step));
     QTRY_VERIFY_WITH_TIMEOUT(window.idle(), kPatienceMs);
     QVERIFY(window.bench->train().ok());
     QSignalSpy trained(&window.bench->training(), &TrainingJob::modelTrained);
-    QTRY_VERIFY_WITH_TIMEOUT(!trained.isEmpty() || window.idle(), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!trained.isEmpty(), kPatienceMs);
+    QVERIFY(!window.idle()); // in the middle
     window.bench->training().cancel();
     window.expectUsable();
     QTRY_VERIFY_WITH_TIMEOUT(window.idle(), kPatienceMs);
@@ -85,7 +86,8 @@ void TestGuiFaultsCancel::tour_trainingCancelled_doesNotHang()
 
 void TestGuiFaultsCancel::cancelledJudging_onCompare_windowStaysUsable()
 {
-    FaultyWindow window(3);
+    FaultyWindow window(2);
+    window.setModels({"constant", "linear", "bpnn"}); // which takes a moment
     QVERIFY(window.train());
     window.main().showStep(Step::Compare);
     auto &compare = window.page<ComparePage>(Step::Compare);
@@ -105,6 +107,7 @@ void TestGuiFaultsCancel::cancelledJudging_onCompare_windowStaysUsable()
     QTRY_VERIFY(cancelOf(compare) == nullptr); // nothing is being judged any more
     window.expectUsable();
     QTRY_VERIFY_WITH_TIMEOUT(window.idle(), kPatienceMs);
+    window.setModels({"constant", "linear"});
     QVERIFY(window.train());
     QCOMPARE(window.session().result()->figures.judging, std::string("anchored"));
     QVERIFY(cancelOf(compare) == nullptr);
@@ -113,7 +116,7 @@ void TestGuiFaultsCancel::cancelledJudging_onCompare_windowStaysUsable()
     QCOMPARE(window.session().result()->figures.judging, std::string("absolute"));
 }
 
-void TestGuiFaultsCancel::cancelledReading_onSource_leavesNoRun()
+void TestGuiFaultsCancel::cancelledReading_onSource_leavesNoHalfRun()
 {
     FaultyWindow window(0);
     const std::filesystem::path log = window.folder() / "heating.csv";
@@ -126,11 +129,13 @@ void TestGuiFaultsCancel::cancelledReading_onSource_leavesNoRun()
     cancelOf(source)->click();
     QTRY_VERIFY_WITH_TIMEOUT(!window.bench->loading().isRunning(), kPatienceMs);
     QVERIFY(problems.isEmpty()); // it was wanted
-    QVERIFY(window.session().runs().empty() && window.session().file().runs()->empty());
-    QCOMPARE(window.main().currentStep(), Step::Source);
+    // None, unless all of it was read before the click.
+    const std::size_t read = window.session().runs().size();
+    QCOMPARE(window.session().file().runs()->size(), read);
+    QCOMPARE(window.main().currentStep(), read == 0 ? Step::Source : Step::Inspect);
     window.expectUsable();
     window.main().openFiles({log});
-    QTRY_COMPARE_WITH_TIMEOUT(window.session().runs().size(), std::size_t(1), kPatienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(window.session().runs().size(), read + 1, kPatienceMs);
     QTRY_COMPARE_WITH_TIMEOUT(window.main().currentStep(), Step::Inspect, kPatienceMs);
 }
 
@@ -154,8 +159,8 @@ void TestGuiFaultsCancel::cancelledReading_onInspect_isReadWhenComeBack()
         cancel();
     QTRY_VERIFY_WITH_TIMEOUT(clicked && window.idle(), kPatienceMs);
     QTRY_VERIFY_WITH_TIMEOUT(cancelOf(inspect) == nullptr, kPatienceMs);
-    QVERIFY(inspect.seen() == nullptr);
-    QCOMPARE(window.session().prepared() != nullptr, prepared);
+    if (prepared) // else they may have been read before the click
+        QVERIFY(inspect.seen() == nullptr && window.session().prepared() != nullptr);
     window.main().showStep(Step::Plan);
     window.main().showStep(Step::Inspect);
     QTRY_VERIFY_WITH_TIMEOUT(inspect.seen() != nullptr, kPatienceMs);

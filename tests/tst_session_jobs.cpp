@@ -194,6 +194,7 @@ void TestSessionJobs::progress_manyReports_areFewSignals()
     QVERIFY(signal.count() < 1000);
     QCOMPARE(signal.front().front().toString(), QString("counting"));
     QCOMPARE(job.stage(), QString("counting"));
+    QCOMPARE(job.fraction(), 0.99999); // the last one is told, however fast it went
 }
 
 void TestSessionJobs::training_session_givesPreparedModelsAndResult()

@@ -76,10 +76,17 @@ public:
     }
 
     bool idle() const { return !bench->training().isRunning(); }
+    // To its end; false, with a warning, if it is refused.
     bool train()
     {
-        return QTest::qWaitFor([this] { return idle(); }, kPatienceMs) && bench->train().ok() &&
-               QTest::qWaitFor([this] { return idle() && session().result(); }, kPatienceMs);
+        QSignalSpy problems(bench.get(), &Workbench::problem);
+        if (!QTest::qWaitFor([this] { return idle(); }, kPatienceMs) || !bench->train().ok())
+            return false;
+        const auto over = [&] { return idle() && (session().result() || !problems.isEmpty()); };
+        const bool trained = QTest::qWaitFor(over, kPatienceMs) && session().result();
+        if (!problems.isEmpty())
+            qWarning("%s", problems.front().front().value<Error>().message.c_str());
+        return trained;
     }
 
     // Nothing in the way, every step comes by its key, and the one that was shown is shown again.

@@ -79,7 +79,7 @@ void InspectPage::refresh()
         }
         return;
     }
-    if (!m_seen || m_seen->prepared != session.prepared())
+    if (!m_failed && (!m_seen || m_seen->prepared != session.prepared()))
         look();
 }
 
@@ -105,7 +105,7 @@ void InspectPage::take(const std::shared_ptr<const InspectionData> &seen)
     const auto &prepared = context().workbench->session().prepared();
     if (again && prepared)
         return look();
-    if (!seen && prepared)
+    if (prepared && (!seen || m_job.isCancelled()))
         return sayFailure({Errc::Cancelled, {}});
     if (!seen || seen->prepared != prepared)
         return; // of runs that are gone
