@@ -4099,6 +4099,10 @@ dps²</translation>
         <translation> · wird geöffnet</translation>
     </message>
     <message>
+        <source> · no samples for %1 s</source>
+        <translation> · seit %1 s keine Abtastwerte</translation>
+    </message>
+    <message>
         <source> · %1 Hz</source>
         <translation> · %1 Hz</translation>
     </message>

@@ -4099,6 +4099,10 @@ dps²</translation>
         <translation> · ouverture</translation>
     </message>
     <message>
+        <source> · no samples for %1 s</source>
+        <translation> · aucun échantillon depuis %1 s</translation>
+    </message>
+    <message>
         <source> · %1 Hz</source>
         <translation> · %1 Hz</translation>
     </message>

@@ -4080,6 +4080,10 @@ dps²</translation>
         <translation> · 接続中</translation>
     </message>
     <message>
+        <source> · no samples for %1 s</source>
+        <translation> · %1 s 間サンプルなし</translation>
+    </message>
+    <message>
         <source> · %1 Hz</source>
         <translation> · %1 Hz</translation>
     </message>
