@@ -1733,6 +1733,10 @@ keiner</translation>
             <numerusform>%1 s in %n Abschnitten ausschließen</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Each point is the mean of %1 samples</source>
+        <translation>Jeder Punkt ist der Mittelwert von %1 Abtastwerten</translation>
+    </message>
 </context>
 <context>
     <name>driftbench::InspectSide</name>

@@ -1733,6 +1733,10 @@ aucune</translation>
             <numerusform>exclusion de %1 s en %n plages</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Each point is the mean of %1 samples</source>
+        <translation>Chaque point est la moyenne de %1 échantillons</translation>
+    </message>
 </context>
 <context>
     <name>driftbench::InspectSide</name>

@@ -1725,6 +1725,10 @@ none</source>
             <numerusform>%n 区間の %1 s を除外</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Each point is the mean of %1 samples</source>
+        <translation>各点は %1 サンプルの平均</translation>
+    </message>
 </context>
 <context>
     <name>driftbench::InspectSide</name>

@@ -1725,6 +1725,10 @@ none</source>
             <numerusform>剔除 %n 个区段共 %1 s</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Each point is the mean of %1 samples</source>
+        <translation>每个点是 %1 个样本的均值</translation>
+    </message>
 </context>
 <context>
     <name>driftbench::InspectSide</name>
