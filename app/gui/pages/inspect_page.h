@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 
 class QSplitter;
 class QStackedWidget;
@@ -95,6 +96,8 @@ private:
     InspectionJob m_job;
     int m_axis = 0;
     bool m_overTime = false;
+    // By the job, which keeps them as long as it runs.
+    std::pair<const PreparedCampaign *, const TrainedModel *> m_lookedAt{};
     bool m_lookPending = false;
     bool m_failed = false; // the runs could not be read; not tried again by itself
     Selection m_selection;

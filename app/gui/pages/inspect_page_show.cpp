@@ -85,17 +85,21 @@ void InspectPage::refresh()
 
 void InspectPage::look()
 {
-    if (m_job.isRunning()) {
-        m_lookPending = true;
-        m_job.cancel();
-        return;
-    }
     const Session &session = context().workbench->session();
     std::shared_ptr<const TrainedModel> model;
     if (const auto &result = session.result()) {
         if (const TrainedModel *rbf = result->model("rbf"))
             model = std::shared_ptr<const TrainedModel>(result, rbf);
     }
+    const std::pair lookedAt(session.prepared().get(), model.get());
+    if (m_job.isRunning()) {
+        if (lookedAt != m_lookedAt) {
+            m_lookPending = true;
+            m_job.cancel();
+        }
+        return;
+    }
+    m_lookedAt = lookedAt;
     m_job.start(session.prepared(), model);
 }
 
