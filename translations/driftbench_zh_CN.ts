@@ -36,10 +36,6 @@
         <translation>查看漂移。</translation>
     </message>
     <message>
-        <source>Each dot is a sample: its error against the temperature. Where they lie on one curve, a table can remove it.</source>
-        <translation>每点为一个样本：其误差对温度。各点落在一条曲线上时，补偿表即可消除。</translation>
-    </message>
-    <message>
         <source>Train the models.</source>
         <translation>训练模型。</translation>
     </message>
@@ -82,6 +78,10 @@
     <message>
         <source>The device computed something else with the new table and has its old one again. Try again, or skip it.</source>
         <translation>设备用新表的计算结果不符，已恢复旧表。请重试或跳过。</translation>
+    </message>
+    <message>
+        <source>Each sample&apos;s error against the temperature, darker where there are more. Where they lie on one curve, a table can remove it.</source>
+        <translation>每个样本的误差随温度的变化，样本越多颜色越深。若落在同一条曲线上，补偿表就能消除它。</translation>
     </message>
 </context>
 <context>
@@ -887,10 +887,6 @@ none</source>
         <translation>此处未知</translation>
     </message>
     <message>
-        <source>%1 to %2 °C, %3 rows</source>
-        <translation>%1 至 %2 °C，%3 行</translation>
-    </message>
-    <message>
         <source>fixed point</source>
         <translation>定点</translation>
     </message>
@@ -921,10 +917,6 @@ none</source>
     <message>
         <source>Range, rows</source>
         <translation>范围，行数</translation>
-    </message>
-    <message>
-        <source>Kind, thermometer</source>
-        <translation>类型，温度计</translation>
     </message>
     <message>
         <source>Sensor</source>
@@ -997,6 +989,18 @@ none</source>
     <message>
         <source>%1, the spare bank being written</source>
         <translation>%1，正在写入备用区</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>recommended</source>
+        <translation>推荐</translation>
+    </message>
+    <message>
+        <source>%1 to %2 °C, %3</source>
+        <translation>%1 至 %2 °C，%3</translation>
     </message>
 </context>
 <context>
@@ -1130,24 +1134,12 @@ none</source>
         <translation>各轴推荐模型</translation>
     </message>
     <message>
-        <source>int32, 1 LSB = 2^−%1 dps = %2 µdps</source>
-        <translation>int32，1 LSB = 2^−%1 dps = %2 µdps</translation>
-    </message>
-    <message>
         <source>There is no table to write.</source>
         <translation>无可写入的补偿表。</translation>
     </message>
     <message>
         <source>The table for the device</source>
         <translation>设备的补偿表</translation>
-    </message>
-    <message>
-        <source>%1. Table of %2 rows, %3 °C apart.</source>
-        <translation>%1。补偿表 %2 行，间隔 %3 °C。</translation>
-    </message>
-    <message>
-        <source>Recommended models</source>
-        <translation>推荐模型</translation>
     </message>
     <message>
         <source>Into the spare bank; the one in use stays until the end</source>
@@ -1291,6 +1283,30 @@ none</source>
         <source>Device image</source>
         <translation>设备映像</translation>
     </message>
+    <message>
+        <source>int32, 1 LSB = 2%1 dps = %2 µdps</source>
+        <translation>int32，1 LSB = 2%1 dps = %2 µdps</translation>
+    </message>
+    <message>
+        <source>Table of %1 rows, %2 °C apart.</source>
+        <translation>%1 行，间隔 %2 °C</translation>
+    </message>
+    <message>
+        <source>Axes without a yes are written too.</source>
+        <translation>判定非“是”的轴也会写入。</translation>
+    </message>
+    <message>
+        <source>Compare says what that costs on runs held out.</source>
+        <translation>在留出测次上的代价见“比较”。</translation>
+    </message>
+    <message>
+        <source>No table for %1.</source>
+        <translation>%1 没有补偿表。</translation>
+    </message>
+    <message>
+        <source>It does not help on runs held out; Compare has the figures. Its values are zero.</source>
+        <translation>它在留出测次上没有帮助；数据见“比较”。此处为零。</translation>
+    </message>
 </context>
 <context>
     <name>driftbench::FileChoices</name>
@@ -1379,6 +1395,14 @@ none</source>
     <message>
         <source>By which PX4 knows the gyro again: its parameter TC_G0_ID. Empty: the serial number.</source>
         <translation>PX4 据此识别陀螺：其参数 TC_G0_ID。留空：用序列号。</translation>
+    </message>
+    <message>
+        <source>needs the gyro&apos;s device id, below</source>
+        <translation>需要下面的陀螺仪设备 ID</translation>
+    </message>
+    <message>
+        <source>needs the sensor&apos;s name: state it when you open the log</source>
+        <translation>需要传感器信息：打开日志时填写</translation>
     </message>
 </context>
 <context>
@@ -2161,6 +2185,22 @@ dps</translation>
         <source>As the log says</source>
         <translation>以日志为准</translation>
     </message>
+    <message>
+        <source>Sensor</source>
+        <translation>传感器</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>序列号</translation>
+    </message>
+    <message>
+        <source>as the log says</source>
+        <translation>按日志</translation>
+    </message>
+    <message>
+        <source>Whose log it is: a device takes a table only for itself, and the report names it.</source>
+        <translation>日志属于哪个传感器：设备只接受自己的补偿表，报告也会注明。</translation>
+    </message>
 </context>
 <context>
     <name>driftbench::MainWindow</name>
@@ -2500,10 +2540,6 @@ dps</translation>
         <translation>%1 至 %2</translation>
     </message>
     <message>
-        <source>RBF as in the paper (Novel)</source>
-        <translation>论文 RBF（新型）</translation>
-    </message>
-    <message>
         <source>RBF network (Novel)</source>
         <translation>RBF 网络（新型）</translation>
     </message>
@@ -2538,12 +2574,16 @@ dps</translation>
         <translation>%1 至 %2 个中心</translation>
     </message>
     <message>
-        <source>RBF as in the paper, %1</source>
-        <translation>论文 RBF，%1</translation>
-    </message>
-    <message>
         <source>RBF, %1 (Novel)</source>
         <translation>RBF，%1（新型）</translation>
+    </message>
+    <message>
+        <source>RBF, paper (Novel)</source>
+        <translation>论文 RBF（新型）</translation>
+    </message>
+    <message>
+        <source>RBF, paper, %1</source>
+        <translation>论文 RBF，%1</translation>
     </message>
 </context>
 <context>

@@ -257,7 +257,7 @@ static QRect comboPart(const QRect &rect, QStyle::SubControl part)
 {
     switch (part) {
     case QStyle::SC_ComboBoxEditField:
-        return rect.adjusted(2, 1, -kChevronColumn, -1);
+        return rect.adjusted(6, 1, -kChevronColumn, -1);
     case QStyle::SC_ComboBoxArrow:
         return {rect.right() - kChevronColumn, rect.top(), kChevronColumn, rect.height()};
     default:
@@ -330,7 +330,7 @@ QSize WorkbenchStyle::sizeFromContents(ContentsType type, const QStyleOption *op
     case CT_SpinBox:
         return {size.width() + 8, field};
     case CT_ComboBox:
-        return {size.width() + kChevronColumn + 12, field};
+        return {size.width() + kChevronColumn + 16, field};
     case CT_CheckBox:
     case CT_RadioButton: {
         const QSize usual = QProxyStyle::sizeFromContents(type, option, size, widget);
@@ -373,6 +373,8 @@ int WorkbenchStyle::pixelMetric(PixelMetric metric, const QStyleOption *option, 
         return 1;
     case PM_HeaderMargin:
         return 8;
+    case PM_FocusFrameHMargin:
+        return 7; // one less than the margin of an item's text
     case PM_MenuBarPanelWidth:
     case PM_MenuBarItemSpacing:
     case PM_MenuBarVMargin:

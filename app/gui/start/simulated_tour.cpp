@@ -127,9 +127,10 @@ static TourStep inspectStep()
     TourStep step{Step::Inspect};
     step.what = [] { return tourText(QT_TRANSLATE_NOOP("SimulatedTour", "Look at the drift.")); };
     step.why = [] {
-        return tourText(QT_TRANSLATE_NOOP("SimulatedTour",
-                                          "Each dot is a sample: its error against the temperature. Where "
-                                          "they lie on one curve, a table can remove it."));
+        return tourText(QT_TRANSLATE_NOOP(
+            "SimulatedTour",
+            "Each sample's error against the temperature, darker where there are more. Where "
+            "they lie on one curve, a table can remove it."));
     };
     return step;
 }
