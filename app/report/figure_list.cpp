@@ -8,8 +8,6 @@
 #include "widgets/views/before_after_view.h"
 #include "widgets/views/centres_view.h"
 #include "widgets/views/judged_run_view.h"
-#include "widgets/views/residual_view.h"
-#include "widgets/views/tcq_scatter_view.h"
 #include "widgets/views/tcq_time_view.h"
 
 #include <cctype>
@@ -35,54 +33,6 @@ static std::vector<std::shared_ptr<const RunFeatures>> featuresOfAll(const Repor
     for (const ReportRun &run : data.runs)
         runs.push_back(run.features);
     return runs;
-}
-
-Result<PreparedFigures> prepareFigures(std::shared_ptr<const ReportData> data, const ProgressHook &hook)
-{
-    PreparedFigures prepared;
-    prepared.data = std::move(data);
-    const ReportData &report = *prepared.data;
-    const Judging judging = judgingFromName(report.judging).value_or(Judging::Absolute);
-    std::size_t done = 0;
-    for (const ReportRun &run : report.runs) {
-        const double part = static_cast<double>(done++) / static_cast<double>(report.runs.size());
-        if (driftbench::report(hook, "preparing the report", part) == Flow::Stop)
-            return Error{Errc::Cancelled, "The report was cancelled; nothing was written."};
-        const auto models = report.heldOut.find(run.features->name);
-        const TrainedModel *model = models == report.heldOut.end() ? nullptr : mainModel(models->second);
-        if (model == nullptr)
-            continue;
-        const auto constant = models->second.find("constant");
-        const Eigen::VectorXd temperatureC = run.features->deltaT.array() + report.referenceTemperatureC;
-        prepared.heldOut.push_back(
-            {&run, model, run.features->tdeDps - predictAtTemperature(*model, temperatureC).tdeDps,
-             judgedTraces(run.features, *model,
-                          constant == models->second.end() ? nullptr : &constant->second, judging)});
-    }
-    return prepared;
-}
-
-QString trainedOnText(const TrainedModel &model)
-{
-    QStringList runs;
-    for (const std::string &run : model.trainedOn)
-        runs.append(QString::fromStdString(run));
-    return runs.isEmpty() ? ReportText::tr("%1 trained on other runs").arg(modelLabel(model.name))
-                          : ReportText::tr("%1 trained on %2")
-                                .arg(modelLabel(model.name), runs.join(QStringLiteral(", ")));
-}
-
-static FigureTask tcqOverTime(const ReportData &data, const Palette &look)
-{
-    const auto run = data.runs.front().features;
-    return {"fig7_tcq_over_time", ReportText::tr("Temperature quantities and drift error over time"),
-            ReportText::tr("Run %1: ΔT, ΔT² and √ΔT, and the temperature drift error (TDE) of each axis.")
-                .arg(QString::fromStdString(run->name)),
-            [run, look] {
-                auto view = std::make_unique<TcqTimeView>(look);
-                view->setRun(run);
-                return view;
-            }};
 }
 
 static void gatherExcluded(const ReportData &data, TcqScatterData &scatter)
@@ -120,15 +70,95 @@ static TcqScatterData scatterOf(const ReportData &data, int axis)
     return scatter;
 }
 
-static FigureTask tcqAgainstTde(const std::shared_ptr<const ReportData> &data, int axis, const Palette &look)
+static ResidualData residualsOf(const PreparedFigures &prepared)
+{
+    ResidualData left;
+    left.referenceTemperatureC = prepared.data->referenceTemperatureC;
+    for (const HeldOutRun &run : prepared.heldOut) {
+        left.runs.push_back(run.run->features);
+        left.residualDps.push_back(run.residualDps);
+    }
+    if (const TrainedModel *main = mainModel(prepared.data->models))
+        left.band = main->band;
+    return left;
+}
+
+Result<PreparedFigures> prepareFigures(std::shared_ptr<const ReportData> data, const ProgressHook &hook)
+{
+    PreparedFigures prepared;
+    prepared.data = std::move(data);
+    const ReportData &report = *prepared.data;
+    const Judging judging = judgingFromName(report.judging).value_or(Judging::Absolute);
+    std::size_t done = 0;
+    for (const ReportRun &run : report.runs) {
+        const double part = static_cast<double>(done++) / static_cast<double>(report.runs.size());
+        if (driftbench::report(hook, "preparing the report", part) == Flow::Stop)
+            return Error{Errc::Cancelled, "The report was cancelled; nothing was written."};
+        const auto models = report.heldOut.find(run.features->name);
+        const TrainedModel *model = models == report.heldOut.end() ? nullptr : mainModel(models->second);
+        if (model == nullptr)
+            continue;
+        const auto constant = models->second.find("constant");
+        const Eigen::VectorXd temperatureC = run.features->deltaT.array() + report.referenceTemperatureC;
+        prepared.heldOut.push_back(
+            {&run, model, run.features->tdeDps - predictAtTemperature(*model, temperatureC).tdeDps,
+             judgedTraces(run.features, *model,
+                          constant == models->second.end() ? nullptr : &constant->second, judging)});
+    }
+    for (int axis = 0; axis < kAxisCount; ++axis) {
+        const auto a = static_cast<std::size_t>(axis);
+        prepared.scatter[a] = scatterOf(report, axis);
+        prepared.dots[a] = tcqDots(prepared.scatter[a]);
+    }
+    prepared.residuals = residualTraces(residualsOf(prepared));
+    return prepared;
+}
+
+QString trainedOnText(const TrainedModel &model)
+{
+    QStringList runs;
+    for (const std::string &run : model.trainedOn)
+        runs.append(QString::fromStdString(run));
+    return runs.isEmpty() ? ReportText::tr("%1 trained on other runs").arg(modelLabel(model.name))
+                          : ReportText::tr("%1 trained on %2")
+                                .arg(modelLabel(model.name), runs.join(QStringLiteral(", ")));
+}
+
+// With its origin before its data: a view is built anew by each.
+template <class View>
+static std::unique_ptr<View> viewFor(const Palette &look, const QString &origin)
+{
+    auto view = std::make_unique<View>(look);
+    if (!origin.isEmpty())
+        view->setOrigin(origin);
+    return view;
+}
+
+static FigureTask tcqOverTime(const ReportData &data, const Palette &look)
+{
+    const auto run = data.runs.front().features;
+    return {"fig7_tcq_over_time", ReportText::tr("Temperature quantities and drift error over time"),
+            ReportText::tr("Run %1: ΔT, ΔT² and √ΔT, and the temperature drift error (TDE) of each axis.")
+                .arg(QString::fromStdString(run->name)),
+            [run, look](const QString &origin) {
+                auto view = viewFor<TcqTimeView>(look, origin);
+                view->setRun(run);
+                return view;
+            }};
+}
+
+using SharedFigures = std::shared_ptr<const PreparedFigures>;
+
+static FigureTask tcqAgainstTde(const SharedFigures &prepared, int axis, const Palette &look)
 {
     return {"fig8_tcq_against_tde_" + axisName(axis).toStdString(),
             ReportText::tr("TDE of %1 against each temperature quantity").arg(axisName(axis)),
             ReportText::tr("All runs, with the curves fitted to them; below, what the fitted curve "
                            "leaves. Where heating and cooling part, no curve of temperature follows."),
-            [data, axis, look] {
-                auto view = std::make_unique<TcqScatterView>(look);
-                view->setData(scatterOf(*data, axis));
+            [prepared, axis, look](const QString &origin) {
+                const auto a = static_cast<std::size_t>(axis);
+                auto view = viewFor<TcqScatterView>(look, origin);
+                view->setData(prepared->scatter[a], prepared->dots[a]);
                 return view;
             }};
 }
@@ -147,8 +177,6 @@ static BeforeAfterData tracesOf(const ReportData &data, const HeldOutRun &heldOu
     return traces;
 }
 
-using SharedFigures = std::shared_ptr<const PreparedFigures>;
-
 static FigureTask beforeAfter(const SharedFigures &prepared, std::size_t run, const Palette &look)
 {
     const std::string &name = prepared->heldOut[run].run->features->name;
@@ -156,8 +184,8 @@ static FigureTask beforeAfter(const SharedFigures &prepared, std::size_t run, co
             ReportText::tr("Run %1 before and after compensation").arg(QString::fromStdString(name)),
             ReportText::tr("The model has not seen this run. Mean, and lowest to highest, of each stretch of "
                            "time; rms about the reference rate."),
-            [prepared, run, look] {
-                auto view = std::make_unique<BeforeAfterView>(look);
+            [prepared, run, look](const QString &origin) {
+                auto view = viewFor<BeforeAfterView>(look, origin);
                 view->setData(tracesOf(*prepared->data, prepared->heldOut[run]));
                 return view;
             }};
@@ -169,10 +197,10 @@ static FigureTask allanOf(const SharedFigures &prepared, std::size_t run, const 
     return {"allan_" + fileNamePart(name),
             ReportText::tr("Allan deviation of run %1").arg(QString::fromStdString(name)),
             ReportText::tr("Noise falls with the averaging time, drift rises with it."),
-            [prepared, run, look] {
+            [prepared, run, look](const QString &origin) {
                 const HeldOutRun &heldOut = prepared->heldOut[run];
                 const RunFeatures &features = *heldOut.run->features;
-                auto view = std::make_unique<AllanView>(look);
+                auto view = viewFor<AllanView>(look, origin);
                 view->setData({allanDeviation(features.timeS, features.tdeDps),
                                allanDeviation(features.timeS, heldOut.residualDps),
                                trainedOnText(*heldOut.model)});
@@ -189,8 +217,8 @@ static FigureTask judgedRun(const SharedFigures &prepared, std::size_t run, cons
             .arg(QString::fromStdString(name)),
         ReportText::tr("Before, less the constant; after, by a model that has not seen this run. Each axis "
                        "has its own scale."),
-        [prepared, run, look] {
-            auto view = std::make_unique<JudgedRunView>(look);
+        [prepared, run, look](const QString &origin) {
+            auto view = viewFor<JudgedRunView>(look, origin);
             view->setData({std::make_shared<const JudgedTraces>(prepared->heldOut[run].traces),
                            prepared->data->limitDps});
             return view;
@@ -202,17 +230,9 @@ static FigureTask residuals(const SharedFigures &prepared, const Palette &look)
     return {"residuals", ReportText::tr("What is left of the TDE on runs held out"),
             ReportText::tr("Each run less the model that has not seen it. Lines that are level at zero mean "
                            "that the drift repeats."),
-            [prepared, look] {
-                ResidualData shown;
-                shown.referenceTemperatureC = prepared->data->referenceTemperatureC;
-                for (const HeldOutRun &run : prepared->heldOut) {
-                    shown.runs.push_back(run.run->features);
-                    shown.residualDps.push_back(run.residualDps);
-                }
-                if (const TrainedModel *main = mainModel(prepared->data->models))
-                    shown.band = main->band;
-                auto view = std::make_unique<ResidualView>(look);
-                view->setData(std::move(shown));
+            [prepared, look](const QString &origin) {
+                auto view = viewFor<ResidualView>(look, origin);
+                view->setTraces(prepared->residuals);
                 return view;
             }};
 }
@@ -234,8 +254,8 @@ static FigureTask centres(const std::shared_ptr<const ReportData> &data, const P
     return {"centres", ReportText::tr("How many centres the RBF network needs"),
             ReportText::tr("The smallest number whose loss on data left out is as good as the lowest; below, "
                            "where the centres stand."),
-            [data, look] {
-                auto view = std::make_unique<CentresView>(look);
+            [data, look](const QString &origin) {
+                auto view = viewFor<CentresView>(look, origin);
                 const auto found = data->models.find("rbf");
                 const auto *network =
                     found == data->models.end() ? nullptr : std::get_if<RbfNetwork>(&found->second.model);
@@ -251,7 +271,7 @@ std::vector<FigureTask> figureTasks(const SharedFigures &prepared, const Palette
     if (!prepared->data->runs.empty())
         tasks.push_back(tcqOverTime(*prepared->data, look));
     for (int axis = 0; axis < kAxisCount; ++axis)
-        tasks.push_back(tcqAgainstTde(prepared->data, axis, look));
+        tasks.push_back(tcqAgainstTde(prepared, axis, look));
     for (std::size_t run = 0; run < prepared->heldOut.size(); ++run)
         tasks.push_back(beforeAfter(prepared, run, look));
     tasks.push_back(residuals(prepared, look));
@@ -270,7 +290,7 @@ Result<std::vector<WrittenFigure>> writeFigures(const ReportData &data, const Pa
         return prepared.error();
     for (const FigureTask &task :
          figureTasks(std::make_shared<const PreparedFigures>(*std::move(prepared)), look)) {
-        const auto view = task.make();
+        const auto view = task.make(QString());
         writer.write(*view, task.stem, task.title, task.caption);
     }
     return writer.finish();

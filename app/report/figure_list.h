@@ -1,7 +1,7 @@
 // Which figures a report has, and how each is made from the data.
 //
-// What takes long (predictions over whole runs, Allan deviations) is done by prepareFigures, on any thread;
-// each figure is then a widget, made and drawn in the thread of the application, one at a time.
+// What takes long (predictions over whole runs, Allan deviations, dots) is done by prepareFigures, on any
+// thread; each figure is then a widget, made and drawn in the thread of the application, one at a time.
 #pragma once
 
 #include "app/report/report_data.h"
@@ -10,9 +10,12 @@
 #include "engine/evaluation/judged_traces.h"
 #include "widgets/plot/plot_view.h"
 #include "widgets/style/palette.h"
+#include "widgets/views/residual_view.h"
+#include "widgets/views/tcq_scatter_view.h"
 
 #include <QString>
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -41,7 +44,10 @@ struct HeldOutRun
 struct PreparedFigures
 {
     std::shared_ptr<const ReportData> data;
-    std::vector<HeldOutRun> heldOut; // points into data
+    std::vector<HeldOutRun> heldOut;       // points into data
+    std::array<TcqScatterData, 3> scatter; // of each axis
+    std::array<TcqDots, 3> dots;           // likewise
+    ResidualTraces residuals;
 };
 
 // Errc::Cancelled if the hook says Stop.
@@ -52,7 +58,8 @@ struct FigureTask
     std::string stem; // of its files
     QString title;
     QString caption;
-    std::function<std::unique_ptr<PlotView>()> make; // the view may turn out empty
+    // origin: what the figure says about where its data come from; may be empty. The view may turn out empty.
+    std::function<std::unique_ptr<PlotView>(const QString &origin)> make;
 };
 
 // judged: the held-out runs as the page Compare shows them, beside the rest.

@@ -228,12 +228,8 @@ bool FigureDrawing::goOn()
     const FileNumbers numbers;
     switch (m_next) {
     case Part::View:
-        m_view = m_task.make();
-        m_next = m_view->isEmpty() ? Part::Done : m_origin.isEmpty() ? Part::Svg : Part::Origin;
-        return true;
-    case Part::Origin:
-        m_view->setOrigin(m_origin);
-        m_next = Part::Svg;
+        m_view = m_task.make(m_origin);
+        m_next = m_view->isEmpty() ? Part::Done : Part::Svg;
         return true;
     case Part::Svg:
         m_figure = ReportFigure{m_task.title, m_task.caption, m_view->figureSize(), QByteArray(), QPicture()};

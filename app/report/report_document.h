@@ -85,7 +85,6 @@ private:
     enum class Part
     {
         View,
-        Origin,
         Svg,
         Picture,
         Done

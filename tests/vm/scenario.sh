@@ -41,6 +41,13 @@ exits() {
     [ "$status" = "$wanted" ]
 }
 
+# skip_scenario WHY...: ends it; what it needs is not installed. For the console, from within a check too.
+exec 3>&1
+skip_scenario() {
+    echo "RESULT $SCENARIO: skipped, $*" >&3
+    exit 0
+}
+
 # start_virtual_hid KIND...: its arguments. Comes back once the kernel has been told of the device.
 start_virtual_hid() {
     local answer
@@ -65,6 +72,34 @@ tell() {
 # plug [SERIAL]: until its node is there.
 plug() { [ "$(tell plug)" = ok ] && waited 10 hidraw_of "${1:-}" >&2; }
 
+# start_user: the window program with its home in $user_home, and who sits in front of it (tests/vm/user); pictures
+# go where they can be seen while it runs. Comes back once the window is there; skips the scenario where it can't be
+# driven.
+user_home=/run/vm/home
+start_user() {
+    local answer
+    mkfifo ask said
+    "$VM_FOLDER/user" "$BUILD_FOLDER/bin" "$user_home" "/run/vm/out/$SCENARIO.pictures" <ask >said &
+    exec 8<>ask 9<said
+    rm ask said # which are for those two only
+    read -r answer <&9
+    echo "user: $answer" >&2
+    case $answer in
+    ok) ;;
+    missing:*) skip_scenario "${answer#missing: }" ;;
+    *) return 1 ;;
+    esac
+}
+
+# user COMMAND...: to them; succeeds if it could be done.
+user() {
+    local answer
+    echo "$*" >&8
+    read -r answer <&9
+    echo "$(cut -d ' ' -f 1 /proc/uptime) user $*: $answer" >&2
+    [ "$answer" = ok ]
+}
+
 # hidraw_of SERIAL: prints the node of the device with that serial number, of any without one.
 hidraw_of() {
     local each
@@ -79,7 +114,10 @@ hidraw_of() {
 }
 
 # value NAME FILE: the number behind "NAME": in what a command wrote with --json.
-value() { sed -n "s/.*\"$1\": *\(-\{0,1\}[0-9.]*\).*/\1/p" "$2" | head -n 1; }
+value() { nth_value 1 "$@"; }
+
+# The Nth of them.
+nth_value() { sed -n "s/.*\"$2\": *\(-\{0,1\}[0-9.]*\).*/\1/p" "$3" | sed -n "$1p"; }
 
 # rows LOG: its samples, those that are there so far.
 rows() { grep -c '^[0-9-]' "$1"; }

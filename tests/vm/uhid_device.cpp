@@ -36,8 +36,8 @@ uhid_event creation(const HidIdentity &identity, std::span<const std::uint8_t> d
 
 } // namespace
 
-Result<std::unique_ptr<UhidDevice>> UhidDevice::create(HidTransport &device,
-                                                       std::span<const std::uint8_t> descriptor)
+Result<std::unique_ptr<UhidDevice>>
+UhidDevice::create(HidTransport &device, std::span<const std::uint8_t> descriptor, ReportSink onInput)
 {
     const int node = ::open("/dev/uhid", O_RDWR | O_CLOEXEC);
     const uhid_event event = creation(device.identity(), descriptor);
@@ -48,12 +48,15 @@ Result<std::unique_ptr<UhidDevice>> UhidDevice::create(HidTransport &device,
         return Error{Errc::DeviceNotPermitted,
                      "No device can be made by /dev/uhid (" + reason + "); load uhid and be root."};
     }
-    std::unique_ptr<UhidDevice> made(new UhidDevice(node, device));
+    std::unique_ptr<UhidDevice> made(new UhidDevice(node, device, std::move(onInput)));
     made->start();
     return made;
 }
 
-UhidDevice::UhidDevice(int node, HidTransport &device) : m_node(node), m_device(device) {}
+UhidDevice::UhidDevice(int node, HidTransport &device, ReportSink onInput)
+    : m_node(node), m_device(device), m_onInput(std::move(onInput))
+{
+}
 
 UhidDevice::~UhidDevice()
 {
@@ -144,15 +147,15 @@ void UhidDevice::deliver(std::span<const std::uint8_t> report)
     event.type = UHID_INPUT2;
     event.u.input2.size = static_cast<__u16>(report.size());
     std::copy(report.begin(), report.end(), event.u.input2.data);
-    send(event);
+    if (send(event) && m_onInput)
+        m_onInput(report);
 }
 
 // Fails only once the kernel has let go of the device.
-void UhidDevice::send(const uhid_event &event)
+bool UhidDevice::send(const uhid_event &event)
 {
     const std::lock_guard lock(m_mutex);
-    if (!m_gone)
-        static_cast<void>(::write(m_node, &event, sizeof event));
+    return !m_gone && ::write(m_node, &event, sizeof event) == sizeof event;
 }
 
 } // namespace driftbench::test

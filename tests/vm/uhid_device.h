@@ -18,15 +18,16 @@ namespace driftbench::test {
 class UhidDevice
 {
 public:
-    // Plugged in; device must outlive it. DeviceNotPermitted where there is no /dev/uhid to be opened.
-    static Result<std::unique_ptr<UhidDevice>> create(HidTransport &device,
-                                                      std::span<const std::uint8_t> descriptor);
+    // Plugged in; device must outlive it. onInput is told, on a thread of its own, of each input report that
+    // the kernel has taken. DeviceNotPermitted where there is no /dev/uhid to be opened.
+    static Result<std::unique_ptr<UhidDevice>>
+    create(HidTransport &device, std::span<const std::uint8_t> descriptor, ReportSink onInput = {});
     ~UhidDevice();
     UhidDevice(const UhidDevice &) = delete;
     UhidDevice &operator=(const UhidDevice &) = delete;
 
 private:
-    UhidDevice(int node, HidTransport &device);
+    UhidDevice(int node, HidTransport &device, ReportSink onInput);
 
     void start();
     void destroy(); // once; the kernel sees the device go
@@ -34,11 +35,12 @@ private:
     void answer(const uhid_event &event);
     void answerGet(const uhid_event &event);
     void answerSet(const uhid_event &event);
-    void send(const uhid_event &event);
+    bool send(const uhid_event &event); // whether the kernel has taken it
     void deliver(std::span<const std::uint8_t> report);
 
     int m_node;
     HidTransport &m_device;
+    ReportSink m_onInput;
     std::mutex m_mutex; // of m_gone and of what goes to the node
     bool m_gone = false;
     std::optional<ReportPump> m_pump;

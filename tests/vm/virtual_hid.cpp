@@ -1,7 +1,9 @@
 // A HID device that the kernel can't tell from one that is plugged in, for the scenarios of tests/vm:
 //
-//   virtual_hid bridge SERIAL   the reference firmware over the gyro simulator, in real time
-//   virtual_hid mcp2221a        an MCP2221A with an L3GD20H
+//   virtual_hid bridge SERIAL [FILE]   the reference firmware over the gyro simulator, in real time; the
+//   input
+//                                      reports that the kernel has taken go to FILE too, 64 bytes each
+//   virtual_hid mcp2221a               an MCP2221A with an L3GD20H
 //
 // It is plugged in at once and goes at the end of its input. Commands, one a line, each answered by a line
 // "ok", "samples N dropped M" or "what: ...":
@@ -15,6 +17,7 @@
 #include "vm/real_time_mcp2221a.h"
 #include "vm/uhid_device.h"
 
+#include <fstream>
 #include <functional>
 #include <iostream>
 #include <map>
@@ -26,6 +29,8 @@ using namespace driftbench::test;
 namespace {
 
 constexpr double kProfileS = 600.0;
+constexpr double kHighestRateHz =
+    1000.0; // and the rate at power-up: an emulated computer has no time for more
 const std::vector<std::uint8_t> kBridgeDescriptor BRIDGE_REPORT_DESCRIPTOR;
 
 using Commands = std::map<std::string, std::function<Result<std::string>(std::int64_t)>>;
@@ -33,10 +38,13 @@ using Commands = std::map<std::string, std::function<Result<std::string>(std::in
 class VirtualBridge
 {
 public:
-    explicit VirtualBridge(const std::string &serial)
+    VirtualBridge(const std::string &serial, const std::string &file)
     {
+        if (!file.empty())
+            m_sent.open(file, std::ios::binary);
         SimulatedBoardOptions options = realTimeBoard(kProfileS);
         options.simulation.sensor.serial = serial;
+        options.highestRateHz = kHighestRateHz;
         m_board = *SimulatedBoard::create(std::move(options));
     }
 
@@ -45,7 +53,8 @@ public:
         m_board->plugIn();
         m_port.reset();
         m_transport = *SimulatedBridge::open(m_board);
-        auto port = UhidDevice::create(*m_transport, kBridgeDescriptor);
+        auto port = UhidDevice::create(*m_transport, kBridgeDescriptor,
+                                       [this](std::span<const std::uint8_t> report) { note(report); });
         if (!port)
             return port.error();
         m_port = *std::move(port);
@@ -62,6 +71,11 @@ public:
     }
 
 private:
+    void note(std::span<const std::uint8_t> report)
+    {
+        if (m_sent.is_open())
+            m_sent.write(reinterpret_cast<const char *>(report.data()), std::ssize(report)).flush();
+    }
     Result<std::string> unplug()
     {
         m_board->unplug();
@@ -94,6 +108,7 @@ private:
                std::to_string(status->droppedSamples);
     }
 
+    std::ofstream m_sent;
     std::shared_ptr<SimulatedBoard> m_board;
     std::unique_ptr<HidTransport> m_transport;
     std::unique_ptr<UhidDevice> m_port;
@@ -159,14 +174,14 @@ int run(Device &device)
 int main(int argc, char **argv)
 {
     const std::vector<std::string> arguments(argv + 1, argv + argc);
-    if (arguments.size() == 2 && arguments[0] == "bridge") {
-        VirtualBridge bridge(arguments[1]);
+    if ((arguments.size() == 2 || arguments.size() == 3) && arguments[0] == "bridge") {
+        VirtualBridge bridge(arguments[1], arguments.size() == 3 ? arguments[2] : std::string());
         return run(bridge);
     }
     if (arguments.size() == 1 && arguments[0] == "mcp2221a") {
         VirtualMcp2221a chip;
         return run(chip);
     }
-    std::cerr << "usage: virtual_hid bridge SERIAL | mcp2221a" << std::endl;
+    std::cerr << "usage: virtual_hid bridge SERIAL [FILE] | mcp2221a" << std::endl;
     return 2;
 }

@@ -4,8 +4,11 @@
 
 #include "engine/features/run_features.h"
 #include "engine/models/trained_model.h"
+#include "widgets/plot/decimation.h"
 #include "widgets/plot/plot_view.h"
+#include "widgets/views/scatter_dots.h"
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -20,6 +23,16 @@ struct ResidualData
     std::optional<UncertaintyBand> band; // of the curve, drawn around zero
 };
 
+// What is drawn of it, for each axis. Made of long runs off the thread of the window.
+struct ResidualTraces
+{
+    std::array<ScatterDots, 3> dots;
+    std::array<std::vector<Envelope>, 3> means; // over 1 degree, of each run in each direction
+    double referenceTemperatureC = 0.0;
+    std::optional<UncertaintyBand> band;
+};
+ResidualTraces residualTraces(const ResidualData &data);
+
 class ResidualView : public PlotView
 {
     Q_OBJECT
@@ -27,7 +40,8 @@ class ResidualView : public PlotView
 public:
     explicit ResidualView(const Palette &look = lightPalette(), QWidget *parent = nullptr);
 
-    void setData(ResidualData shown);
+    void setData(const ResidualData &shown) { setTraces(residualTraces(shown)); }
+    void setTraces(ResidualTraces traces);
 
     QSize figureSize() const override { return {1040, 360}; }
 
@@ -38,7 +52,7 @@ private:
     void drawMeans(QCPAxisRect &rect, int axis) const;
     void drawBand(QCPAxisRect &rect, int axis, bool filled) const; // filled, or its edges
 
-    ResidualData m_data;
+    ResidualTraces m_shown;
 };
 
 } // namespace driftbench

@@ -9,7 +9,6 @@
 #include "widgets/plot/plot_style.h"
 #include "widgets/plot/series.h"
 #include "widgets/style/role_pens.h"
-#include "widgets/views/scatter_dots.h"
 
 #include <cmath>
 
@@ -25,7 +24,14 @@ TcqScatterView::TcqScatterView(const Palette &look, QWidget *parent)
 
 void TcqScatterView::setData(TcqScatterData shown)
 {
+    TcqDots dots = tcqDots(shown);
+    setData(std::move(shown), std::move(dots));
+}
+
+void TcqScatterView::setData(TcqScatterData shown, TcqDots dots)
+{
     m_data = std::move(shown);
+    m_dots = std::move(dots);
     rebuild();
 }
 
@@ -66,6 +72,11 @@ static ScatterDots dotsOf(const TcqScatterData &data, bool residuals)
         dots.excluded.valueDps.append(data.excludedTdeDps(i, data.axis) - line);
     }
     return dots;
+}
+
+TcqDots tcqDots(const TcqScatterData &data)
+{
+    return {dotsOf(data, false), data.curves.empty() ? ScatterDots{} : dotsOf(data, true)};
 }
 
 static void includeDots(const ScatterDots &dots, Extent &deltaT, Extent &values)
@@ -224,13 +235,13 @@ void TcqScatterView::linkPanels() const
 
 void TcqScatterView::build()
 {
-    const ScatterDots tde = dotsOf(m_data, false);
+    const ScatterDots &tde = m_dots.tde;
+    const ScatterDots &left = m_dots.left;
     if (tde.empty()) {
         showEmpty(tr("No samples"), tr("All samples are excluded, or no run was given."));
         return;
     }
     const bool hasCurve = !m_data.curves.empty();
-    const ScatterDots left = hasCurve ? dotsOf(m_data, true) : ScatterDots{};
     Extent deltaT, tdeExtent, leftExtent;
     includeDots(tde, deltaT, tdeExtent);
     includeDots(left, deltaT, leftExtent);

@@ -7,6 +7,7 @@
 #include "engine/models/trained_model.h"
 #include "widgets/plot/plot_view.h"
 #include "widgets/views/model_curve.h"
+#include "widgets/views/scatter_dots.h"
 #include "widgets/views/tcq_density.h"
 
 #include <memory>
@@ -15,8 +16,6 @@
 #include <vector>
 
 namespace driftbench {
-
-struct ScatterDots;
 
 struct TcqScatterData
 {
@@ -38,6 +37,14 @@ struct TcqScatterData
     Eigen::MatrixX3d selectedTdeDps;
 };
 
+// The dots of it: TDE, and what the main curve leaves (none without a curve). Made of long runs off the
+// thread of the window.
+struct TcqDots
+{
+    ScatterDots tde, left;
+};
+TcqDots tcqDots(const TcqScatterData &data);
+
 class TcqScatterView : public PlotView
 {
     Q_OBJECT
@@ -46,6 +53,7 @@ public:
     explicit TcqScatterView(const Palette &look = lightPalette(), QWidget *parent = nullptr);
 
     void setData(TcqScatterData shown);
+    void setData(TcqScatterData shown, TcqDots dots); // made of it before
     const TcqScatterData &shown() const { return m_data; }
     // The quantity (0, 1, 2) and the row (0 TDE, 1 residual) of a panel.
     std::pair<int, int> placeOf(const QCPAxisRect *panel) const;
@@ -61,6 +69,7 @@ private:
     void linkPanels() const;
 
     TcqScatterData m_data;
+    TcqDots m_dots;
 };
 
 } // namespace driftbench
