@@ -80,8 +80,8 @@
         <translation>Das Gerät rechnete mit der neuen Tabelle anders und hat wieder die alte. Wiederholen oder überspringen.</translation>
     </message>
     <message>
-        <source>Each sample&apos;s error against the temperature, darker where there are more. Where they lie on one curve, a table can remove it.</source>
-        <translation>Der Fehler jedes Abtastwerts über der Temperatur, dunkler wo es mehr sind. Wo sie auf einer Kurve liegen, kann eine Tabelle ihn beseitigen.</translation>
+        <source>Each sample&apos;s error against temperature. Where they lie on one curve, a table can remove it.</source>
+        <translation>Der Fehler jedes Abtastwerts über der Temperatur. Was auf einer Kurve liegt, kann eine Tabelle beseitigen.</translation>
     </message>
 </context>
 <context>

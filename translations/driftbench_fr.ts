@@ -80,8 +80,8 @@
         <translation>L’appareil calculait autrement avec la nouvelle table et a repris l’ancienne. Réessayer ou passer.</translation>
     </message>
     <message>
-        <source>Each sample&apos;s error against the temperature, darker where there are more. Where they lie on one curve, a table can remove it.</source>
-        <translation>L’erreur de chaque échantillon selon la température, plus foncée où ils sont nombreux. S’ils forment une seule courbe, une table peut l’éliminer.</translation>
+        <source>Each sample&apos;s error against temperature. Where they lie on one curve, a table can remove it.</source>
+        <translation>L’erreur de chaque échantillon selon la température. Sur une seule courbe, une table peut l’éliminer.</translation>
     </message>
 </context>
 <context>

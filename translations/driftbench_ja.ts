@@ -80,8 +80,8 @@
         <translation>新しいテーブルでのデバイスの計算結果が異なるため、元のテーブルに戻しました。再試行するか、スキップしてください。</translation>
     </message>
     <message>
-        <source>Each sample&apos;s error against the temperature, darker where there are more. Where they lie on one curve, a table can remove it.</source>
-        <translation>各サンプルの誤差と温度の関係です。サンプルが多いほど濃くなります。一本の曲線上にあれば、テーブルで取り除けます。</translation>
+        <source>Each sample&apos;s error against temperature. Where they lie on one curve, a table can remove it.</source>
+        <translation>各サンプルの誤差と温度の関係です。一本の曲線上にあれば、テーブルで取り除けます。</translation>
     </message>
 </context>
 <context>

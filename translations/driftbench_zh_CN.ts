@@ -80,8 +80,8 @@
         <translation>设备用新表的计算结果不符，已恢复旧表。请重试或跳过。</translation>
     </message>
     <message>
-        <source>Each sample&apos;s error against the temperature, darker where there are more. Where they lie on one curve, a table can remove it.</source>
-        <translation>每个样本的误差随温度的变化，样本越多颜色越深。若落在同一条曲线上，补偿表就能消除它。</translation>
+        <source>Each sample&apos;s error against temperature. Where they lie on one curve, a table can remove it.</source>
+        <translation>每个样本的误差随温度的变化。落在同一条曲线上，补偿表就能消除它。</translation>
     </message>
 </context>
 <context>

@@ -21,6 +21,7 @@ namespace driftbench {
 static constexpr int kIndicator = 14;
 static constexpr int kArrowColumn = 18; // of a spin box
 static constexpr int kChevronColumn = 24;
+static constexpr int kFieldMargin = 5; // and the two px of QLineEdit itself
 
 static ControlState stateOf(const QStyleOption &option, const QWidget *widget)
 {
@@ -303,6 +304,10 @@ QRect WorkbenchStyle::subElementRect(SubElement element, const QStyleOption *opt
 {
     if (element == SE_ProgressBarGroove || element == SE_ProgressBarContents)
         return option->rect;
+    // The text of a field stands as far in as that of a combo box; a spin box sees to its own.
+    if (element == SE_LineEditContents && widget &&
+        !qobject_cast<const QAbstractSpinBox *>(widget->parentWidget()))
+        return option->rect.adjusted(kFieldMargin, 1, -kFieldMargin, -1);
     if (element == SE_CheckBoxFocusRect || element == SE_RadioButtonFocusRect)
         return option->rect;
     return QProxyStyle::subElementRect(element, option, widget);

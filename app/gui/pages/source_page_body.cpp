@@ -138,14 +138,21 @@ QWidget *SourcePage::buildSide()
     m_form = new SourceForm;
     rows->addWidget(m_form);
     rows->addSpacing(kGap);
+    m_now = new QWidget;
+    QSizePolicy place(QSizePolicy::Ignored, QSizePolicy::Ignored);
+    place.setRetainSizeWhenHidden(true);
+    m_now->setSizePolicy(place);
+    rows->addWidget(m_now, 1);
+    auto *nowRows = new QVBoxLayout(m_now);
+    nowRows->setContentsMargins(0, 0, 0, 0);
+    nowRows->setSpacing(kGap);
     m_nowHead = new SectionHead;
-    rows->addWidget(m_nowHead);
-    rows->addSpacing(kGap);
+    nowRows->addWidget(m_nowHead);
     m_strips = new StripView(lookOf(palette()));
     QWidget *strips = flushPanel(m_strips);
     strips->setMinimumHeight(120);
     strips->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
-    rows->addWidget(strips, 1);
+    nowRows->addWidget(strips, 1);
     connect(m_form, &SourceForm::edited, this, [this] {
         m_apply.start();
         showUse();

@@ -129,8 +129,7 @@ static TourStep inspectStep()
     step.why = [] {
         return tourText(QT_TRANSLATE_NOOP(
             "SimulatedTour",
-            "Each sample's error against the temperature, darker where there are more. Where "
-            "they lie on one curve, a table can remove it."));
+            "Each sample's error against temperature. Where they lie on one curve, a table can remove it."));
     };
     return step;
 }
