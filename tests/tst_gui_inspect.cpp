@@ -2,6 +2,7 @@
 #include "app/gui/inspect/inspect_side.h"
 #include "app/gui/pages/inspect_page.h"
 #include "engine/formats/log_reader.h"
+#include "engine/recording/block_means.h"
 #include "support/test_data.h"
 #include "support/workbench_pages.h"
 #include "widgets/plot/plot_interaction.h"
@@ -70,6 +71,7 @@ private slots:
     void empty_noRuns_leadsToTheRecording();
     void run_withHysteresis_isSaidOfThatAxisAlone();
     void chamber_threeRuns_haveThePublishedFigures();
+    void means_ofALongRun_showWhatTheSamplesDo();
     void strip_drag_selectsInAllPlots();
     void strip_deleteAndUndo_excludesAndGivesBack();
     void strip_grips_moveTheExclusion();
@@ -133,6 +135,42 @@ void TestGuiInspect::chamber_threeRuns_haveThePublishedFigures()
     const QString folderName = qEnvironmentVariable("DRIFTBENCH_FIGURES");
     if (!folderName.isEmpty())
         bench.inspect->grab().save(QDir(folderName).filePath(QStringLiteral("inspect-chamber.png")));
+}
+
+static InspectionData inspected(Recording recording)
+{
+    LoadedRun run;
+    run.record.id = 1;
+    run.record.description.name = "long";
+    run.recording = std::make_shared<const Recording>(std::move(recording));
+    CalibrationPlan plan;
+    plan.runs.push_back({1});
+    plan.runs.back().excluded.push_back({{600.0, 799.0}, "a draught"});
+    const auto prepared = prepareCampaign(plan, {run});
+    auto seen = inspect(std::make_shared<const PreparedCampaign>(*prepared), nullptr);
+    return *std::move(seen);
+}
+
+void TestGuiInspect::means_ofALongRun_showWhatTheSamplesDo()
+{
+    const Recording recording = upAndDown(0.3);
+    const InspectionData samples = inspected(recording);
+    const InspectionData means = inspected(shortened(recording, recording.size() / 4));
+    QCOMPARE(samples.samplesAPoint, 1);
+    QCOMPARE(means.samplesAPoint, 4);
+    QCOMPARE(means.samples, samples.samples);
+    QCOMPARE(means.excluded.front().samples, std::int64_t{200});
+    QCOMPARE(means.excluded.front().samples, samples.excluded.front().samples);
+    QVERIFY(std::abs(means.sampleRateHz - samples.sampleRateHz) < 0.01);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const AxisInspection &a = means.inspection->axes[axis];
+        const AxisInspection &b = samples.inspection->axes[axis];
+        QCOMPARE(a.kind, b.kind);
+        QVERIFY(std::abs(a.noiseDps / b.noiseDps - 1.0) < 0.05);
+        QVERIFY(std::abs(a.leftDps / b.leftDps - 1.0) < 0.05);
+        // Of 40 cells of a degree, the first and the last are hardly reached.
+        QVERIFY(std::abs(a.swingDps / b.swingDps - 1.0) < 2.0 / 40.0 + 0.02);
+    }
 }
 
 void TestGuiInspect::strip_drag_selectsInAllPlots()

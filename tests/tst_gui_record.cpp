@@ -2,6 +2,7 @@
 #include "app/gui/pages/record_page.h"
 #include "app/gui/record/live_run.h"
 #include "app/gui/record/record_readouts.h"
+#include "app/gui/source_status.h"
 #include "device/simulated_board.h"
 #include "support/workbench_pages.h"
 #include "widgets/live/live_trace_view.h"
@@ -204,13 +205,22 @@ void TestGuiRecord::unplugged_whileRecording_saysSoAndGoesOn()
     QVERIFY(bench.start());
     const auto board = bench.workbench->simulatedBoard();
     QVERIFY(board);
+    const SourceStatus status(*bench.workbench);
+    const auto saysSilent = [&status] {
+        const std::vector<StatusPart> parts = status.parts();
+        return parts.at(0).text.contains(QLatin1String("no samples for")) &&
+               parts.at(0).tone == Tone::Caution;
+    };
+    QVERIFY(!saysSilent());
     board->unplug();
     QTRY_VERIFY_WITH_TIMEOUT(bench.record->banners().holds(QStringLiteral("absence")), 20'000);
+    QVERIFY(saysSilent());
     QVERIFY(bench.record->run().isRecording());
     const auto samples = bench.record->run().link().samples;
     board->plugIn(5.0);
     QTRY_VERIFY_WITH_TIMEOUT(bench.record->run().link().samples > samples + 20, 20'000);
     QTRY_VERIFY(!bench.record->banners().holds(QStringLiteral("absence")));
+    QVERIFY(!saysSilent());
     QVERIFY(!bench.record->view().marks().gaps.empty());
     bench.record->stopRecording();
     QVERIFY(bench.waitUntilOver());

@@ -22,7 +22,7 @@ private slots:
 static Run runOf(Recording recording)
 {
     Run run;
-    run.name = "a";
+    run.name = std::string("a");
     run.mask = Mask(recording.size());
     run.recording = std::make_shared<const Recording>(std::move(recording));
     return run;

@@ -1,6 +1,7 @@
 // The session file: what goes in comes out, other files are refused, two programs do not write at once.
 #include "app/session/session_file.h"
 
+#include "engine/recording/block_means.h"
 #include "support/cli_process.h"
 #include "support/models_for_export.h"
 #include "support/session_data.h"
@@ -30,6 +31,7 @@ private slots:
     void importRun_hookStops_leavesNothing();
     void importRun_anotherSensor_isRefused();
     void readRange_anyRange_isThatPartOfTheRun();
+    void readRun_longRunAsMeans_isWhatTheSamplesGive();
     void runs_renamedAndRemoved_stayConsistent();
     void everything_readOnly_cannotBeChanged();
     void another_usedByThreads_seesTheSameFile();
@@ -269,6 +271,21 @@ void TestSessionFile::readRange_anyRange_isThatPartOfTheRun()
     }
     QCOMPARE(file.readRange(id, {50000, 10})->size(), Eigen::Index{0});
     QCOMPARE(file.readRange(id, {-1, 10}).error().code, Errc::InvalidOption);
+}
+
+void TestSessionFile::readRun_longRunAsMeans_isWhatTheSamplesGive()
+{
+    auto file = newSession();
+    const Recording recording = measuredRecording(11, 70000, 1000.0);
+    const auto id = *file.importRun(recording, {});
+    for (const std::int64_t most : {1000, 34999, 35000, 69999}) {
+        const auto read = file.readRun(id, {.mostPoints = most});
+        const Recording means = shortened(recording, most);
+        QVERIFY(read.ok() && !read->points.empty());
+        QVERIFY(sameSamples(*read, means) && sameBits(read->points.samples, means.points.samples) &&
+                sameBits(read->points.varianceDps2, means.points.varianceDps2));
+    }
+    QVERIFY(sameSamples(*file.readRun(id, {.mostPoints = 70000}), recording));
 }
 
 void TestSessionFile::runs_renamedAndRemoved_stayConsistent()

@@ -20,6 +20,7 @@ private slots:
     void numberText_data();
     void numberText();
     void numberText_otherLocale_keepsSpaceAndTakesDecimalMark();
+    void samplingRateText_aroundAThousand_hasNoTenths();
     void decadeText_plainNearOne_powersBeyond();
     void powerText_roundsUpIntoNextDecade();
     void hourMinuteText_roundsToMinutes();
@@ -72,6 +73,15 @@ void TestWidgetsStyle::numberText()
     QFETCH(double, value);
     QFETCH(int, decimals);
     QTEST(driftbench::numberText(value, decimals, QLocale::c()), "text");
+}
+
+void TestWidgetsStyle::samplingRateText_aroundAThousand_hasNoTenths()
+{
+    const auto text = [](double rateHz) { return driftbench::samplingRateText(rateHz, QLocale::c()); };
+    QCOMPARE(text(11.44), QStringLiteral("11.4"));
+    QCOMPARE(text(999.94), QStringLiteral("999.9"));
+    QCOMPARE(text(999.96), QStringLiteral("1\u2009000"));
+    QCOMPARE(text(1000.2), QStringLiteral("1\u2009000"));
 }
 
 void TestWidgetsStyle::numberText_otherLocale_keepsSpaceAndTakesDecimalMark()

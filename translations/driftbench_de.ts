@@ -1757,6 +1757,10 @@ keiner</translation>
             <numerusform>%1 s in %n Abschnitten ausschließen</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Each point is the mean of %1 samples</source>
+        <translation>Jeder Punkt ist der Mittelwert von %1 Abtastwerten</translation>
+    </message>
 </context>
 <context>
     <name>driftbench::InspectSide</name>
@@ -4133,6 +4137,10 @@ dps²</translation>
     <message>
         <source> · opening</source>
         <translation> · wird geöffnet</translation>
+    </message>
+    <message>
+        <source> · no samples for %1 s</source>
+        <translation> · seit %1 s keine Abtastwerte</translation>
     </message>
     <message>
         <source> · %1 Hz</source>

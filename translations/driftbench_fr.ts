@@ -1757,6 +1757,10 @@ aucune</translation>
             <numerusform>exclusion de %1 s en %n plages</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Each point is the mean of %1 samples</source>
+        <translation>Chaque point est la moyenne de %1 échantillons</translation>
+    </message>
 </context>
 <context>
     <name>driftbench::InspectSide</name>
@@ -4133,6 +4137,10 @@ dps²</translation>
     <message>
         <source> · opening</source>
         <translation> · ouverture</translation>
+    </message>
+    <message>
+        <source> · no samples for %1 s</source>
+        <translation> · aucun échantillon depuis %1 s</translation>
     </message>
     <message>
         <source> · %1 Hz</source>

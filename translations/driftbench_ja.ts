@@ -1749,6 +1749,10 @@ none</source>
             <numerusform>%n 区間の %1 s を除外</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Each point is the mean of %1 samples</source>
+        <translation>各点は %1 サンプルの平均</translation>
+    </message>
 </context>
 <context>
     <name>driftbench::InspectSide</name>
@@ -4114,6 +4118,10 @@ dps²</translation>
     <message>
         <source> · opening</source>
         <translation> · 接続中</translation>
+    </message>
+    <message>
+        <source> · no samples for %1 s</source>
+        <translation> · %1 s 間サンプルなし</translation>
     </message>
     <message>
         <source> · %1 Hz</source>

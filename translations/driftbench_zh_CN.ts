@@ -1749,6 +1749,10 @@ none</source>
             <numerusform>剔除 %n 个区段共 %1 s</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Each point is the mean of %1 samples</source>
+        <translation>每个点是 %1 个样本的均值</translation>
+    </message>
 </context>
 <context>
     <name>driftbench::InspectSide</name>
@@ -4114,6 +4118,10 @@ dps²</translation>
     <message>
         <source> · opening</source>
         <translation> · 打开中</translation>
+    </message>
+    <message>
+        <source> · no samples for %1 s</source>
+        <translation> · 已 %1 s 无样本</translation>
     </message>
     <message>
         <source> · %1 Hz</source>

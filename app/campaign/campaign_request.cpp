@@ -2,6 +2,7 @@
 
 #include "engine/base/parallel_for.h"
 #include "engine/formats/log_reader.h"
+#include "engine/recording/block_means.h"
 
 #include <algorithm>
 
@@ -25,7 +26,7 @@ Result<Run> loadRun(const CampaignRequest &request, std::size_t index)
         return recording.error();
     QualityOptions quality = request.quality;
     quality.name.clear();
-    auto run = prepareRun(*std::move(recording), quality);
+    auto run = prepareRun(shortened(*std::move(recording)), quality);
     if (!run)
         return about(file, run.error());
     return run;

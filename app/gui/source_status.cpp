@@ -5,6 +5,9 @@
 
 #include <QStorageInfo>
 
+#include <cmath>
+#include <utility>
+
 namespace driftbench {
 
 static constexpr int kReadOutMs = 250;
@@ -22,13 +25,20 @@ SourceStatus::SourceStatus(Workbench &bench, QObject *parent) : QObject(parent),
     connect(&acquisition, &Acquisition::started, this, [this] {
         m_samples = m_dropped = m_measuredSamples = 0;
         m_rateHz = m_lastS = m_measuredS = 0.0;
+        m_silence.start();
+        m_away = false;
     });
     connect(&acquisition, &Acquisition::batch, this,
             [this](const std::shared_ptr<const SampleBlock> &samples) {
                 m_samples += samples->size();
-                if (samples->size() > 0)
-                    m_lastS = samples->timeS[samples->size() - 1];
+                if (samples->size() == 0)
+                    return;
+                m_lastS = samples->timeS[samples->size() - 1];
+                m_silence.came(std::exchange(m_away, false));
             });
+    connect(&acquisition, &Acquisition::sourceSaid, this, [this](const QString &sentence) {
+        m_away = m_away || sentence.contains(QLatin1String("was unplugged"));
+    });
     connect(&acquisition, &Acquisition::gap, this,
             [this](const SampleGap &gap) { m_dropped += std::max<std::int64_t>(0, gap.lostSamples); });
     connect(&acquisition, &Acquisition::stateChanged, this, &SourceStatus::changed);
@@ -52,6 +62,11 @@ void SourceStatus::measure()
     emit changed();
 }
 
+std::optional<double> SourceStatus::silentForS() const
+{
+    return m_away ? std::optional(m_silence.sinceS()) : m_silence.overdueForS();
+}
+
 std::vector<StatusPart> SourceStatus::parts() const
 {
     const Acquisition::State state = m_bench.acquisition().state();
@@ -60,14 +75,19 @@ std::vector<StatusPart> SourceStatus::parts() const
     QString source = m_bench.sourceName();
     if (state != Acquisition::State::Running)
         return {{source + tr(" · opening")}};
-    if (m_rateHz > 0.0)
-        source += tr(" · %1 Hz").arg(numberText(m_rateHz, m_rateHz < 1000.0 ? 1 : 0));
+    const std::optional<double> silentS = silentForS();
+    if (silentS)
+        source += tr(" · no samples for %1 s").arg(numberText(std::floor(*silentS), 0));
+    else if (m_rateHz > 0.0)
+        source += tr(" · %1 Hz").arg(samplingRateText(m_rateHz));
+    const StatusPart good{source + tr(" · 0 dropped"), Tone::Plain, kYieldsLast};
+    const StatusPart silent{source, Tone::Caution};
     if (m_dropped == 0)
-        return {{source + tr(" · 0 dropped"), Tone::Plain, kYieldsLast}};
+        return {silentS ? silent : good};
     const QString dropped = tr("%1 dropped of %2")
                                 .arg(numberText(static_cast<double>(m_dropped), 0),
                                      numberText(static_cast<double>(m_dropped + m_samples), 0));
-    return {{source}, {dropped, Tone::Caution}};
+    return {silentS ? silent : StatusPart{source}, {dropped, Tone::Caution}};
 }
 
 StatusPart SourceStatus::room() const

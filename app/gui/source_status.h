@@ -1,13 +1,15 @@
-// What the status bar says of the source that runs: its name, the rate that is measured, what was dropped;
-// and how much room there is for the session.
+// What the status bar says of the source that runs: its name, the rate that is measured or for how long
+// nothing has come, what was dropped; and how much room there is for the session.
 #pragma once
 
 #include "app/gui/page.h"
+#include "app/gui/sample_silence.h"
 
 #include <QElapsedTimer>
 #include <QTimer>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace driftbench {
@@ -30,10 +32,13 @@ signals:
 
 private:
     void measure();
+    std::optional<double> silentForS() const;
 
     Workbench &m_bench;
     QTimer m_timer;
     QElapsedTimer m_sinceRoom;
+    SampleSilence m_silence;
+    bool m_away = false; // the source has said that its device is
     std::int64_t m_samples = 0;
     std::int64_t m_dropped = 0;
     double m_rateHz = 0.0;

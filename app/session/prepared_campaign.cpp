@@ -1,6 +1,7 @@
 #include "app/session/prepared_campaign.h"
 
 #include "engine/base/parallel_for.h"
+#include "engine/recording/block_means.h"
 
 #include <algorithm>
 
@@ -81,7 +82,7 @@ Result<std::vector<LoadedRun>> loadRuns(const SessionFile &file, const Calibrati
         auto record = file.run(run.run);
         if (!record)
             return record.error();
-        auto recording = file.readRun(run.run, {}, hook);
+        auto recording = file.readRun(run.run, {.mostPoints = kMostPoints}, hook);
         if (!recording)
             return recording.error();
         loaded.push_back({*std::move(record), std::make_shared<const Recording>(*std::move(recording))});

@@ -16,7 +16,7 @@
 
 namespace driftbench {
 
-// A run with its samples.
+// A run with its samples; a long one as means of them (block_means.h), so that memory does not depend on it.
 struct LoadedRun
 {
     RunRecord record;

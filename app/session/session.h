@@ -87,7 +87,7 @@ public:
     const RunRecord *run(RunId id) const; // null: there is none
     SensorIdentity sensor() const { return m_sensor; }
     bool isSimulated() const; // any of the runs
-    // Whole, from memory if someone still has it; a long run takes its time.
+    // As it is calibrated (LoadedRun), from memory if someone still has it; a long run takes its time.
     Result<std::shared_ptr<const Recording>> recording(RunId id);
     Status renameRun(RunId id, const QString &name);
     Status removeRun(RunId id);

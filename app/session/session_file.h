@@ -56,7 +56,8 @@ struct SessionOptions
 
 struct ReadRunOptions
 {
-    bool skipDamaged = false; // leave out what is damaged, with a warning each, instead of refusing
+    bool skipDamaged = false;    // leave out what is damaged, with a warning each, instead of refusing
+    std::int64_t mostPoints = 0; // a longer run as means (block_means.h); 0: every sample as it is
 };
 
 struct SampleRange

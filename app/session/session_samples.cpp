@@ -1,6 +1,7 @@
 #include "app/session/chunk_store.h"
 #include "app/session/overview_store.h"
 #include "app/session/session_file_state.h"
+#include "engine/recording/block_means.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,12 +10,21 @@ namespace driftbench {
 
 namespace {
 
+void makeRows(Recording &recording, Eigen::Index rows)
+{
+    recording.timeS.resize(rows);
+    recording.temperatureC.resize(rows);
+    recording.rateDps.resize(rows, 3);
+}
+
 // Puts chunks one behind the other into a recording that was made long enough.
 class RecordingFiller
 {
 public:
-    RecordingFiller(Recording &recording, const SampleRange &range, const ReadRunOptions &options)
-        : m_recording(recording), m_range(range), m_options(options), m_next(range.first)
+    // means: what the samples go into, instead of the recording; may be null.
+    RecordingFiller(Recording &recording, BlockMeans *means, const SampleRange &range,
+                    const ReadRunOptions &options)
+        : m_recording(recording), m_means(means), m_range(range), m_options(options), m_next(range.first)
     {
     }
 
@@ -33,7 +43,8 @@ public:
         const auto from =
             static_cast<Eigen::Index>(std::max<std::int64_t>(m_range.first - chunk.firstSample, 0));
         const auto count = static_cast<Eigen::Index>(m_next - chunk.firstSample) - from;
-        const bool whole = from == 0 && count == static_cast<Eigen::Index>(chunk.samples);
+        const bool whole =
+            m_means == nullptr && from == 0 && count == static_cast<Eigen::Index>(chunk.samples);
         const std::string fault =
             whole ? chunk.decode(targets(m_recording, m_filled)) : decodePart(chunk, from, count);
         if (!fault.empty())
@@ -48,6 +59,8 @@ public:
         const std::int64_t end = m_range.first + m_range.count;
         if (m_fault.empty() && m_next < end)
             damaged(m_next, end, "they are missing");
+        if (m_means != nullptr)
+            return;
         m_recording.timeS.conservativeResize(m_filled);
         m_recording.temperatureC.conservativeResize(m_filled);
         m_recording.rateDps.conservativeResize(m_filled, Eigen::NoChange);
@@ -70,14 +83,18 @@ private:
 
     std::string decodePart(const ChunkView &chunk, Eigen::Index from, Eigen::Index count)
     {
-        const auto samples = static_cast<Eigen::Index>(chunk.samples);
-        Recording part;
-        part.timeS.resize(samples);
-        part.temperatureC.resize(samples);
-        part.rateDps.resize(samples, 3);
+        Recording &part = m_part;
+        makeRows(part, static_cast<Eigen::Index>(chunk.samples));
         const std::string fault = chunk.decode(targets(part, 0));
         if (!fault.empty())
             return fault;
+        if (m_means != nullptr) {
+            m_means->add(part.timeS.data() + from, part.temperatureC.data() + from,
+                         {part.rateDps.col(0).data() + from, part.rateDps.col(1).data() + from,
+                          part.rateDps.col(2).data() + from},
+                         count);
+            return {};
+        }
         m_recording.timeS.segment(m_filled, count) = part.timeS.segment(from, count);
         m_recording.temperatureC.segment(m_filled, count) = part.temperatureC.segment(from, count);
         m_recording.rateDps.middleRows(m_filled, count) = part.rateDps.middleRows(from, count);
@@ -101,6 +118,8 @@ private:
     }
 
     Recording &m_recording;
+    BlockMeans *m_means;
+    Recording m_part; // the last chunk that was not put in place at once
     SampleRange m_range;
     ReadRunOptions m_options;
     std::int64_t m_next;       // index that the next chunk must begin with
@@ -148,10 +167,13 @@ Result<Recording> readSamples(const SessionFile &file, const RunRecord &run, con
     const auto room = roomFor(database, run.id, range);
     if (!room)
         return room.error();
-    recording.timeS.resize(*room);
-    recording.temperatureC.resize(*room);
-    recording.rateDps.resize(*room, 3);
-    RecordingFiller filler(recording, range, options);
+    std::optional<BlockMeans> means;
+    const std::int64_t each = options.mostPoints > 0 ? samplesAPoint(*room, options.mostPoints) : 1;
+    if (each > 1)
+        means.emplace(each, *room);
+    else
+        makeRows(recording, *room);
+    RecordingFiller filler(recording, means ? &*means : nullptr, range, options);
     bool cancelled = false;
     const Status read = forEachChunk(database, run.id, range.first, range.count, [&](const ChunkView &chunk) {
         cancelled = report(hook, "read", filler.fraction()) == Flow::Stop;
@@ -166,6 +188,8 @@ Result<Recording> readSamples(const SessionFile &file, const RunRecord &run, con
         return Error{Errc::SessionDamaged, database.path().string() + ", run \"" + what.name +
                                                "\": " + filler.fault() +
                                                ". \"session check\" tells what else is damaged."};
+    if (means)
+        return means->finish(std::move(recording.info));
     return recording;
 }
 

@@ -1,6 +1,7 @@
 #include "app/session/session.h"
 
 #include "app/session/session_lock.h"
+#include "engine/recording/block_means.h"
 
 #include <algorithm>
 #include <array>
@@ -80,7 +81,7 @@ Result<std::shared_ptr<const Recording>> Session::recording(RunId id)
 {
     if (auto known = m_recordings[id].lock())
         return known;
-    auto recording = m_file.readRun(id);
+    auto recording = m_file.readRun(id, {.mostPoints = kMostPoints});
     if (!recording)
         return recording.error();
     auto shared = std::make_shared<const Recording>(*std::move(recording));
@@ -145,7 +146,7 @@ Status Session::refreshRuns()
     std::erase_if(m_recordings, [this](const auto &each) {
         const auto recording = each.second.lock();
         const RunRecord *now = run(each.first);
-        return !recording || !now || recording->size() != now->samples;
+        return !recording || !now || recording->samples() != now->samples;
     });
     const CalibrationPlan planBefore = plan();
     m_history.fitToRuns(m_runs);

@@ -20,6 +20,7 @@ struct RunResidual
 {
     Terms terms;
     Eigen::MatrixX3d residualDps;
+    Eigen::Vector3d withinDps2; // of the samples of a row, where it is a mean
 };
 
 // Sums that merge over runs: the least-squares solution needs no more.
@@ -41,6 +42,7 @@ RunResidual residualOf(const RunFeatures &run, const AnyModel &model, DeltaTRang
 {
     RunResidual result;
     result.residualDps = run.tdeDps - predictHeld(model, run.deltaT, range);
+    result.withinDps2 = run.meanSquare(Eigen::MatrixX3d::Zero(run.tdeDps.rows(), 3));
     result.terms.resize(run.deltaT.size(), 2);
     result.terms.col(0) = temperatureRate(run.timeS, run.deltaT, options.rateWindowS);
     result.terms.col(1) = temperatureLag(run.timeS, run.deltaT, lagS);
@@ -49,8 +51,8 @@ RunResidual residualOf(const RunFeatures &run, const AnyModel &model, DeltaTRang
 
 double leftWith(const RunResidual &run, const Weights &weights, int axis)
 {
-    return (run.residualDps.col(axis) - run.terms * weights.col(axis)).squaredNorm() /
-           static_cast<double>(run.terms.rows());
+    return run.withinDps2[axis] + (run.residualDps.col(axis) - run.terms * weights.col(axis)).squaredNorm() /
+                                      static_cast<double>(run.terms.rows());
 }
 
 // What is left on each axis, summed over training runs that take no part in the fit of the weights.

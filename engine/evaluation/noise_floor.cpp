@@ -10,7 +10,10 @@ namespace driftbench {
 Eigen::Vector3d noiseFloor(const RunFeatures &run, double cellWidthC)
 {
     ThermalCurve cells(cellWidthC);
-    cells.add(run.deltaT, run.tdeDps);
+    if (run.deltaT.size() > 0)
+        cells.makeRoomFrom(run.deltaT.minCoeff());
+    for (Eigen::Index row = 0; row < run.deltaT.size(); ++row)
+        run.addTo(cells, row);
     return cells.pooledVariance();
 }
 

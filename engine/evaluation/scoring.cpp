@@ -26,11 +26,6 @@ Eigen::Index samplesOfStart(const RunFeatures &run)
     return start;
 }
 
-Eigen::Vector3d meanSquare(const Eigen::MatrixX3d &rows)
-{
-    return rows.colwise().squaredNorm().transpose() / static_cast<double>(rows.rows());
-}
-
 } // namespace
 
 std::string_view judgingName(Judging judging)
@@ -49,8 +44,12 @@ std::optional<Judging> judgingFromName(std::string_view name)
 
 Eigen::Vector3d JudgedRun::anchorNoise() const
 {
-    return startSamples > 0 ? Eigen::Vector3d(floor / static_cast<double>(startSamples))
-                            : Eigen::Vector3d::Zero();
+    if (startSamples == 0)
+        return Eigen::Vector3d::Zero();
+    double samples = 0.0;
+    for (Eigen::Index row = 0; row < startSamples; ++row)
+        samples += anchor->points.countAt(row);
+    return floor / samples;
 }
 
 JudgedRun prepareForJudging(std::shared_ptr<const RunFeatures> heldOut,
@@ -63,9 +62,9 @@ JudgedRun prepareForJudging(std::shared_ptr<const RunFeatures> heldOut,
     if (judging == Judging::Anchored) {
         run.startSamples = samplesOfStart(*anchor);
         const Eigen::RowVector3d startBias = anchor->tdeDps.topRows(run.startSamples).colwise().mean();
-        run.msdBefore = meanSquare(heldOut->tdeDps.rowwise() - startBias);
+        run.msdBefore = heldOut->meanSquare(heldOut->tdeDps.rowwise() - startBias);
     } else {
-        run.msdBefore = meanSquare(heldOut->tdeDps);
+        run.msdBefore = heldOut->meanSquare(heldOut->tdeDps);
     }
     run.heldOut = std::move(heldOut);
     run.anchor = std::move(anchor);
@@ -96,7 +95,7 @@ ModelScore scoreModel(const JudgedRun &run, const AnyModel &model, DeltaTRange r
         residual.rowwise() -= Eigen::RowVector3d(start.colwise().mean());
     }
     ModelScore score;
-    score.msd = meanSquare(residual);
+    score.msd = run.heldOut->meanSquare(residual);
     score.rms10sDps = rmsAfterAveraging(run.windows, residual);
     score.biasInstabilityDps =
         allanDeviation(run.heldOut->timeS, residual, kAllanPointsPerDecade).biasInstabilityDps;
@@ -120,7 +119,7 @@ std::vector<ComparisonRow> rowsOf(const std::string &name, const JudgedRun &run,
         row.rms10sDps = score.rms10sDps[axis];
         row.rmsDps = std::sqrt(row.msdAfter);
         row.biasInstabilityDps = score.biasInstabilityDps[axis];
-        row.samples = run.heldOut->deltaT.size();
+        row.samples = static_cast<Eigen::Index>(run.heldOut->samples());
         row.trainedOn = trainedOn;
         rows.push_back(std::move(row));
     }

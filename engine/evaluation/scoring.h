@@ -29,12 +29,12 @@ struct JudgedRun
     std::shared_ptr<const RunFeatures> heldOut;
     std::shared_ptr<const RunFeatures> anchor; // whose first startSamples anchor
     Judging judging = Judging::Absolute;
-    Eigen::Index startSamples = 0; // 0 where judging is absolute
+    Eigen::Index startSamples = 0; // rows; 0 where judging is absolute
     std::vector<TimeWindow> windows;
     Eigen::Vector3d floor = Eigen::Vector3d::Zero(); // noise floor, dps^2
     Eigen::Vector3d msdBefore = Eigen::Vector3d::Zero();
 
-    Eigen::Vector3d anchorNoise() const; // floor / startSamples, or zero
+    Eigen::Vector3d anchorNoise() const; // floor / samples of the start, or zero
 };
 
 // anchor: the run that heldOut is, or is a part of.

@@ -109,25 +109,23 @@ double temperatureBlockC(double spanC)
 
 RunFeatures partOf(const RunFeatures &run, const std::vector<std::uint8_t> &keep)
 {
-    const auto rows = static_cast<Eigen::Index>(std::count(keep.begin(), keep.end(), std::uint8_t{1}));
+    std::vector<Eigen::Index> rows;
+    for (std::size_t i = 0; i < keep.size(); ++i) {
+        if (keep[i] != 0)
+            rows.push_back(static_cast<Eigen::Index>(i));
+    }
     RunFeatures part;
     part.name = run.name;
-    part.timeS.resize(rows);
-    part.deltaT.resize(rows);
-    part.tdeDps.resize(rows, 3);
-    part.usableForTraining.reserve(static_cast<std::size_t>(rows));
-    Eigen::Index row = 0;
-    for (std::size_t i = 0; i < keep.size(); ++i) {
-        if (keep[i] == 0)
-            continue;
-        const auto from = static_cast<Eigen::Index>(i);
-        part.timeS[row] = run.timeS[from];
-        part.deltaT[row] = run.deltaT[from];
-        part.tdeDps.row(row) = run.tdeDps.row(from);
-        part.usableForTraining.push_back(run.usableForTraining[i]);
-        if (run.usableForTraining[i] != 0)
-            part.curve.add(part.deltaT[row], part.tdeDps.row(row).transpose());
-        ++row;
+    part.timeS = run.timeS(rows);
+    part.deltaT = run.deltaT(rows);
+    part.tdeDps = run.tdeDps(rows, Eigen::all);
+    part.points = run.points.rows(rows);
+    part.usableForTraining.reserve(rows.size());
+    for (Eigen::Index row = 0; row < part.deltaT.size(); ++row) {
+        const auto from = static_cast<std::size_t>(rows[static_cast<std::size_t>(row)]);
+        part.usableForTraining.push_back(run.usableForTraining[from]);
+        if (run.usableForTraining[from] != 0)
+            part.addTo(part.curve, row);
     }
     return part;
 }

@@ -47,7 +47,7 @@ ThermalCurve curveOf(const RunFeatures &run, const Sweep &sweep)
     ThermalCurve curve;
     for (Eigen::Index i = sweep.first; i < sweep.last; ++i) {
         if (run.usableForTraining[static_cast<std::size_t>(i)] != 0)
-            curve.add(run.deltaT[i], run.tdeDps.row(i).transpose());
+            run.addTo(curve, i);
     }
     return curve;
 }

@@ -36,6 +36,15 @@ std::string joined(const std::vector<std::string> &names)
 
 } // namespace
 
+template <class Counts>
+static Eigen::Index samplesWhere(const Run &run, const Counts &counts)
+{
+    double samples = 0.0;
+    for (Eigen::Index row = 0; row < run.mask.size(); ++row)
+        samples += counts(row) ? run.recording->points.countAt(row) : 0.0;
+    return static_cast<Eigen::Index>(samples);
+}
+
 RunFacts factsOf(const Run &run)
 {
     RunFacts facts;
@@ -44,10 +53,12 @@ RunFacts factsOf(const Run &run)
     facts.format = run.recording->info.format;
     facts.instance = run.recording->info.instance;
     facts.referenceRateDps = run.referenceRateDps;
-    facts.samples = run.recording->size();
-    facts.usable = run.mask.countUsableForJudging();
+    facts.samples = static_cast<Eigen::Index>(run.recording->samples());
+    facts.usable = samplesWhere(run, [&](Eigen::Index row) { return run.mask.usableForJudging(row); });
     for (const MaskReason reason : kMaskReasons) {
-        if (const Eigen::Index count = run.mask.count(reason); count > 0)
+        const Eigen::Index count =
+            samplesWhere(run, [&](Eigen::Index row) { return run.mask.has(row, reason); });
+        if (count > 0)
             facts.masked[std::string(maskReasonName(reason))] = count;
     }
     return facts;

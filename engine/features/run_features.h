@@ -1,5 +1,8 @@
 // A run made ready for training and judging: time, dT and TDE of its usable samples.
 //
+// Of a long recording a row is the mean of several samples (block_means.h); counts, thermal curves and mean
+// squares are of the samples all the same.
+//
 // TDE = measured rate - reference rate (dps). dT = T - Tref with the campaign's one reference temperature.
 #pragma once
 
@@ -8,6 +11,7 @@
 #include "engine/recording/run.h"
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,7 +26,13 @@ struct RunFeatures
     Eigen::VectorXd deltaT;                      // M, degrees Celsius from the reference temperature
     Eigen::MatrixX3d tdeDps;                     // M x 3
     std::vector<std::uint8_t> usableForTraining; // M, 0 for outliers of the noise
+    PointSamples points{};                       // M; no rows: each row is one sample
     ThermalCurve curve;                          // of the samples usable for training
+
+    std::int64_t samples() const; // of all rows
+    void addTo(ThermalCurve &cells, Eigen::Index row) const;
+    // Mean over all samples of the squares of what is left of them; residualDps: M x 3, of the rows.
+    Eigen::Vector3d meanSquare(const Eigen::MatrixX3d &residualDps) const;
 };
 
 // What every trainer gets: runs of one sensor over one reference temperature.

@@ -45,12 +45,22 @@ void ThermalCurve::add(double deltaT, const Eigen::Vector3d &tdeDps)
     cell.sumTdeSquared += tdeDps.cwiseAbs2();
 }
 
+void ThermalCurve::add(double deltaT, const Eigen::Vector3d &tdeDps, double samples,
+                       const Eigen::Vector3d &varianceDps2)
+{
+    assert(std::abs(deltaT) <= kLargestDeltaT);
+    ThermalCell &cell = cellAt(keyOf(deltaT));
+    cell.count += samples;
+    cell.sumQuantities += samples * temperatureQuantities(deltaT);
+    cell.sumTdeDps += samples * tdeDps;
+    cell.sumTdeSquared += samples * (tdeDps.cwiseAbs2() + varianceDps2);
+}
+
 void ThermalCurve::add(const Eigen::VectorXd &deltaT, const Eigen::MatrixX3d &tdeDps)
 {
     if (deltaT.size() == 0)
         return;
-    // A falling temperature would put one cell after the other before all that are there: make room once.
-    cellAt(keyOf(deltaT.minCoeff()));
+    makeRoomFrom(deltaT.minCoeff());
     for (Eigen::Index i = 0; i < deltaT.size(); ++i)
         add(deltaT[i], Eigen::Vector3d(tdeDps(i, 0), tdeDps(i, 1), tdeDps(i, 2)));
 }

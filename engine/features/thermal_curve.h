@@ -37,8 +37,13 @@ public:
     double cellWidthC() const { return m_cellWidthC; }
 
     void add(double deltaT, const Eigen::Vector3d &tdeDps);
-    // N samples; the same as N times the above.
+    // That many samples with this mean, and among them this variance (1/n) of the TDE.
+    void add(double deltaT, const Eigen::Vector3d &tdeDps, double samples,
+             const Eigen::Vector3d &varianceDps2);
+    // N samples; the same as N times the first of these.
     void add(const Eigen::VectorXd &deltaT, const Eigen::MatrixX3d &tdeDps);
+    // Before a falling temperature would put one cell after the other before all that are there.
+    void makeRoomFrom(double lowestDeltaT) { cellAt(keyOf(lowestDeltaT)); }
     // Many samples of one cell at once, as another curve of the same width and reference has them.
     void addCell(std::int64_t key, const ThermalCell &cell) { cellAt(key).merge(cell); }
     // The other curve must have the same cell width and the same reference temperature.

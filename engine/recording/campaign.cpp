@@ -2,6 +2,7 @@
 
 #include "engine/base/axes.h"
 #include "engine/base/text.h"
+#include "engine/recording/block_means.h"
 #include "engine/recording/initial_hold.h"
 #include "engine/recording/units_check.h"
 
@@ -166,6 +167,10 @@ Result<Campaign> makeCampaign(std::vector<Run> runs, const CampaignOptions &opti
     if (Status reference = setReferenceRates(campaign, options); !reference)
         return reference.error();
     warnIfTurning(campaign, campaign.warnings);
+    for (const Run &run : campaign.runs) {
+        if (const std::string means = meansText(*run.recording); !means.empty())
+            campaign.warnings.push_back(run.name + " is long. " + means);
+    }
     return campaign;
 }
 

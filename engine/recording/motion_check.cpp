@@ -46,6 +46,27 @@ std::vector<bool> loudSamples(const UsableColumns &columns, const std::vector<Ra
     return loud;
 }
 
+// Where rows are means, shaking averages out of them but not out of the scatter of their samples.
+void addLoudMeans(const PointSamples &points, const std::vector<Eigen::Index> &rows,
+                  const MotionOptions &options, std::vector<bool> &loud)
+{
+    if (points.empty())
+        return;
+    std::vector<float> sorted(rows.size());
+    for (Eigen::Index axis = 0; axis < kAxisCount; ++axis) {
+        const auto varianceOf = [&](Eigen::Index row) { return points.varianceDps2(row, axis); };
+        std::transform(rows.begin(), rows.end(), sorted.begin(), varianceOf);
+        const auto quiet = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 5);
+        std::nth_element(sorted.begin(), quiet, sorted.end());
+        const double threshold =
+            std::max(options.smallestShakeDps, options.noiseFactor * std::sqrt(static_cast<double>(*quiet)));
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            if (static_cast<double>(varianceOf(rows[i])) > threshold * threshold)
+                loud[i] = true;
+        }
+    }
+}
+
 std::vector<Span> shakenSpans(const UsableColumns &columns, const std::vector<bool> &loud)
 {
     std::vector<Span> spans;
@@ -203,8 +224,9 @@ void checkMotion(Draft &draft, const QualityOptions &options)
     const std::vector<RateBlock> blocks = rateBlocks(columns, draft.intervalS, options.gapFactor);
     if (blocks.empty())
         return;
-    std::vector<Span> moved =
-        joined(shakenSpans(columns, loudSamples(columns, blocks, motion)), motion.settleS);
+    std::vector<bool> loud = loudSamples(columns, blocks, motion);
+    addLoudMeans(draft.recording.points, columns.rows, motion, loud);
+    std::vector<Span> moved = joined(shakenSpans(columns, loud), motion.settleS);
     const std::vector<RateBlock> quiet = quietBlocks(columns, blocks, moved);
     const auto steps = rateSteps(quiet, motion);
     for (std::size_t axis = 0; axis < steps.size(); ++axis) {

@@ -1,6 +1,7 @@
 #include "engine/recording/quality.h"
 
 #include "engine/base/text.h"
+#include "engine/recording/block_means.h"
 #include "engine/recording/quality_checks.h"
 
 #include <algorithm>
@@ -89,6 +90,8 @@ std::string sourcePrefix(const Recording &recording)
 CheckedRun checkRun(Recording recording, const QualityOptions &options)
 {
     quality::Draft draft(std::move(recording));
+    if (const std::string means = meansText(draft.recording); !means.empty())
+        draft.note(FindingSeverity::Note, "means", means + " Findings count the means.");
     quality::checkValues(draft, options);
     quality::checkTimes(draft, options);
     quality::excludeRanges(draft, options);

@@ -1,5 +1,5 @@
 // Makes a run of a recording: finds what is wrong with it, masks what must not be used, and refuses, with the
-// reason, what cannot be calibrated.
+// reason, what cannot be calibrated. Of a long recording the rows that are checked are means (block_means.h).
 //
 // Every check that fires leaves a Finding with its figures. A refusal is a Finding as well as an error, so
 // that a recording that can't be used can still be inspected.

@@ -25,4 +25,23 @@ std::string SensorIdentity::text() const
     return model + ' ' + serial;
 }
 
+Eigen::Vector3d PointSamples::varianceAt(Eigen::Index row) const
+{
+    if (empty())
+        return Eigen::Vector3d::Zero();
+    return varianceDps2.row(row).cast<double>().transpose();
+}
+
+PointSamples PointSamples::rows(const std::vector<Eigen::Index> &kept) const
+{
+    if (empty())
+        return {};
+    return {samples(kept), varianceDps2(kept, Eigen::all)};
+}
+
+std::int64_t Recording::samples() const
+{
+    return points.empty() ? size() : points.samples.cast<std::int64_t>().sum();
+}
+
 } // namespace driftbench

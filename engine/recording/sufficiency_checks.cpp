@@ -131,6 +131,20 @@ CellVariances cellVariances(const std::vector<Cell> &cells)
     return result;
 }
 
+// Of the usable rows, where they are means: the noise that is no longer between them.
+double varianceWithinMeans(const PointSamples &points, const std::vector<Eigen::Index> &rows, int axis)
+{
+    if (points.empty())
+        return 0.0;
+    double samples = 0.0;
+    double sum = 0.0;
+    for (const Eigen::Index row : rows) {
+        samples += points.countAt(row);
+        sum += points.countAt(row) * static_cast<double>(points.varianceDps2(row, axis));
+    }
+    return samples > 0.0 ? sum / samples : 0.0;
+}
+
 } // namespace
 
 void checkSufficiency(Draft &draft, const QualityOptions &options)
@@ -163,8 +177,9 @@ void checkDrift(Draft &draft)
     double largestSwingDps = 0.0;
     for (std::size_t axis = 0; axis < columns.rateDps.size(); ++axis) {
         const CellVariances variances = cellVariances(cellsOf(columns.temperatureC, columns.rateDps[axis]));
-        if (variances.cells < 2 || variances.within == 0.0 ||
-            variances.ofMeans > kNoDriftPart * variances.within)
+        const double within = variances.within + varianceWithinMeans(draft.recording.points, columns.rows,
+                                                                     static_cast<int>(axis));
+        if (variances.cells < 2 || within == 0.0 || variances.ofMeans > kNoDriftPart * within)
             continue;
         axes += (axes.empty() ? "" : ", ") + std::string(kAxisNames[axis]);
         largestSwingDps = std::max(largestSwingDps, variances.swingDps);

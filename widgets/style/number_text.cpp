@@ -23,6 +23,12 @@ QString numberText(double value, int decimals, const QLocale &locale)
     return negative ? kMinus + text : text;
 }
 
+QString samplingRateText(double rateHz, const QLocale &locale)
+{
+    // What tenths would round up to 1 000.0 has none.
+    return numberText(rateHz, rateHz < 999.95 ? 1 : 0, locale);
+}
+
 int decimalsForThreeFigures(double value, int most)
 {
     const double size = std::abs(value);

@@ -13,6 +13,9 @@ inline constexpr double kMdpsPerDps = 1000.0;
 
 QString numberText(double value, int decimals, const QLocale &locale = QLocale());
 
+// A sampling rate that is measured, in Hz: with tenths as long as it has three figures before them or less.
+QString samplingRateText(double rateHz, const QLocale &locale = QLocale());
+
 // The decimals that give a number of this size three figures, at most `most`.
 int decimalsForThreeFigures(double value, int most = 4);
 

@@ -85,9 +85,11 @@ static void addRuns(InspectionData &seen, const TrainingSet &set)
         for (const Sweep &sweep : sweepsOf(features))
             (sweep.heating ? run.heating : run.cooling) = true;
         stripS = run.stripEndS() + kGapInStripS;
-        seen.samples += recording.size();
+        seen.samples += recording.samples();
+        if (!recording.points.empty())
+            seen.samplesAPoint = std::max(seen.samplesAPoint, recording.points.samples.maxCoeff());
         if (r == 0 && recording.size() > 1 && run.lastS > run.firstS)
-            seen.sampleRateHz = double(recording.size() - 1) / (run.lastS - run.firstS);
+            seen.sampleRateHz = double(recording.samples() - 1) / (run.lastS - run.firstS);
         seen.runs.push_back(std::move(run));
     }
     seen.stripSpanS = stripS;
@@ -107,14 +109,23 @@ static std::optional<MaskReason> reasonOf(const Mask &mask, Eigen::Index sample)
     return std::nullopt;
 }
 
+static std::int64_t samplesAt(const Recording &recording, Eigen::Index row)
+{
+    return recording.points.empty() ? 1 : recording.points.samples[row];
+}
+
 static void addOwnStretches(InspectionData &seen, std::size_t r)
 {
     const RunInPlan *plan = seen.prepared->plan.find(seen.runs[r].id);
-    const Eigen::VectorXd &timeS = seen.prepared->runs[r].checked.run.recording->timeS;
+    const Recording &recording = *seen.prepared->runs[r].checked.run.recording;
     for (std::size_t i = 0; plan && i < plan->excluded.size(); ++i) {
         const Exclusion &exclusion = plan->excluded[i];
-        const auto samples =
-            (timeS.array() >= exclusion.range.startS && timeS.array() <= exclusion.range.endS).count();
+        std::int64_t samples = 0;
+        for (Eigen::Index row = 0; row < recording.size(); ++row) {
+            const double timeS = recording.timeS[row];
+            if (timeS >= exclusion.range.startS && timeS <= exclusion.range.endS)
+                samples += samplesAt(recording, row);
+        }
         seen.excluded.push_back(
             {r, exclusion.range.startS, exclusion.range.endS, samples, exclusion.note, i, false});
     }
@@ -129,17 +140,18 @@ static void addCheckedStretches(InspectionData &seen, std::size_t r)
     std::int64_t outliers = 0;
     for (Eigen::Index i = 0; i < run.mask.size(); ++i) {
         const auto reason = reasonOf(run.mask, i);
+        const std::int64_t samples = samplesAt(*run.recording, i);
         if (reason)
-            ++seen.excludedSamples;
+            seen.excludedSamples += samples;
         if (reason == MaskReason::Outlier) {
-            ++outliers;
+            outliers += samples;
         } else if (reason && reason != MaskReason::Excluded) {
             if (before == reason && seen.excluded.back().run == r && !seen.excluded.back().own) {
                 seen.excluded.back().endS = timeS[i];
-                ++seen.excluded.back().samples;
+                seen.excluded.back().samples += samples;
             } else {
-                seen.excluded.push_back(
-                    {r, timeS[i], timeS[i], 1, std::string(maskReasonName(*reason)), std::nullopt, false});
+                seen.excluded.push_back({r, timeS[i], timeS[i], samples, std::string(maskReasonName(*reason)),
+                                         std::nullopt, false});
             }
         }
         before = reason;

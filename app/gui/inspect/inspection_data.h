@@ -72,6 +72,7 @@ struct InspectionData
     std::int64_t samples = 0;
     std::int64_t excludedSamples = 0;
     double sampleRateHz = 0.0;
+    int samplesAPoint = 1; // more where a run is long: what is drawn are means of so many (block_means.h)
     TcqTimeTraces overTime;
 };
 

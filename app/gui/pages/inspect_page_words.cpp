@@ -179,6 +179,8 @@ std::vector<StatusPart> InspectPage::statusParts() const
         {tr("%1, %2 samples at %3 Hz")
              .arg(runs, samples, numberText(m_seen->sampleRateHz, m_seen->sampleRateHz < 10.0 ? 2 : 1)),
          Tone::Plain}};
+    if (m_seen->samplesAPoint > 1)
+        parts.push_back({tr("Each point is the mean of %1 samples").arg(m_seen->samplesAPoint), Tone::Plain});
     parts.push_back({tr("%1 excluded").arg(numberText(double(m_seen->excludedSamples), 0)), Tone::Plain});
     return parts;
 }

@@ -339,9 +339,9 @@ std::vector<StatusPart> TrainPage::statusParts() const
 {
     if (!m_shownCampaign)
         return {};
-    Eigen::Index samples = 0;
+    std::int64_t samples = 0;
     for (const auto &run : m_shownCampaign->loaded.features.runs)
-        samples += run->timeS.size();
+        samples += run->samples();
     const auto runs = static_cast<int>(m_shownCampaign->loaded.features.runs.size());
     return {{tr("%n run(s), %1 samples", nullptr, runs).arg(numberText(static_cast<double>(samples), 0))}};
 }

@@ -9,7 +9,6 @@
 namespace driftbench {
 
 static constexpr qint64 kScoreEveryMs = 250;
-static constexpr qint64 kShortestSilenceMs = 1500;
 static constexpr double kAtTheEnd = 0.999; // of the range: such a sample is saturated
 
 LiveRun::LiveRun(Workbench &workbench, LiveTraceView &view, QObject *parent)
@@ -120,8 +119,7 @@ void LiveRun::begin(RunId run)
     m_view.setReference(m_referenceDps);
     const auto &info = m_workbench.acquisition().info();
     m_rangeDps = info ? info->rangeDps : 0.0;
-    m_usualPauseMs = 0;
-    m_sinceSamples.start();
+    m_silence.start();
     m_sinceScored.start();
     emit recordingChanged();
 }
@@ -151,12 +149,10 @@ void LiveRun::take(const SampleBlock &block)
     const Eigen::Index rows = block.size() - first;
     SampleBlock ofRun{block.firstSample + first, block.timeS.tail(rows).array() - *startS,
                       block.temperatureC.tail(rows), block.rateDps.bottomRows(rows)};
-    const qint64 pauseMs = m_sinceSamples.restart();
+    m_silence.came(m_unpluggedAtS.has_value());
     if (m_unpluggedAtS) {
         m_unpluggedAtS.reset();
         emit deviceBack();
-    } else {
-        m_usualPauseMs = std::max(m_usualPauseMs, std::min(pauseMs, kShortestSilenceMs));
     }
     apply(ofRun);
 }
@@ -238,12 +234,7 @@ std::optional<double> LiveRun::temperatureC() const
 
 std::optional<double> LiveRun::silentForS() const
 {
-    if (!m_recording || m_samples == 0)
-        return std::nullopt;
-    const qint64 silentMs = m_sinceSamples.elapsed();
-    if (silentMs < std::max(kShortestSilenceMs, 4 * m_usualPauseMs))
-        return std::nullopt;
-    return static_cast<double>(silentMs) / 1000.0;
+    return m_recording ? m_silence.overdueForS() : std::nullopt;
 }
 
 } // namespace driftbench

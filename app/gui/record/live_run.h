@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/gui/record/run_progress.h"
+#include "app/gui/sample_silence.h"
 #include "app/session/session_records.h"
 #include "device/sample_source.h"
 #include "engine/evaluation/running_score.h"
@@ -97,8 +98,8 @@ private:
     double m_rangeDps = 0.0;
     bool m_planEnded = false;
     std::optional<double> m_unpluggedAtS;
-    QElapsedTimer m_sinceSamples, m_sinceScored;
-    qint64 m_usualPauseMs = 0; // between batches, at most
+    SampleSilence m_silence;
+    QElapsedTimer m_sinceScored;
 };
 
 } // namespace driftbench

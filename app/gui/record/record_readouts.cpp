@@ -272,8 +272,7 @@ void RecordReadouts::showLink()
     const LinkFigures &link = m_run.link();
     const QString none(QChar(0x2013));
     m_linkHead->setNote(link.lastGapS ? tr("last gap %1").arg(clockText(*link.lastGapS)) : QString());
-    const QString rate =
-        link.rateHz > 0.0 ? tr("%1 Hz").arg(numberText(link.rateHz, link.rateHz < 1000.0 ? 1 : 0)) : none;
+    const QString rate = link.rateHz > 0.0 ? tr("%1 Hz").arg(samplingRateText(link.rateHz)) : none;
     m_link->setValue(0, tr("%1, %2").arg(rate, numberText(static_cast<double>(link.samples), 0)));
     const double share =
         link.samples > 0 ? 100.0 * double(link.lost) / double(link.samples + link.lost) : 0.0;

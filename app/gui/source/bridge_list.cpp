@@ -115,7 +115,7 @@ QString BridgeModel::noteOf(const DeviceEntry &entry) const
     }
     parts.removeAll(QString());
     if (streaming && m_text.hasSamples) {
-        parts << tr("%1 Hz").arg(numberText(m_text.rateHz, m_text.rateHz < 1000.0 ? 1 : 0));
+        parts << tr("%1 Hz").arg(samplingRateText(m_text.rateHz));
         parts << tr("%1 °C").arg(numberText(m_text.temperatureC, 2));
     }
     return parts.join(QStringLiteral(" · "));
