@@ -2739,6 +2739,10 @@ dps²</translation>
         <source>Real log</source>
         <translation>Echtes Log</translation>
     </message>
+    <message>
+        <source>Real device</source>
+        <translation>Echtes Gerät</translation>
+    </message>
 </context>
 <context>
     <name>driftbench::PeriodPanel</name>

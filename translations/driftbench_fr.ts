@@ -1310,7 +1310,7 @@ aucune</translation>
     </message>
     <message>
         <source>It does not help on runs held out; Compare has the figures. Its values are zero.</source>
-        <translation>Elle n’aide pas sur les essais réservés ; Comparer donne les chiffres. Des zéros y figurent.</translation>
+        <translation>Elle n’aide pas sur les essais réservés&#x202f;; Comparer donne les chiffres. Des zéros y figurent.</translation>
     </message>
 </context>
 <context>
@@ -1408,7 +1408,7 @@ aucune</translation>
     </message>
     <message>
         <source>needs the sensor&apos;s name: state it when you open the log</source>
-        <translation>exige le capteur : l’indiquer à l’ouverture du journal</translation>
+        <translation>exige le capteur&#x202f;: l’indiquer à l’ouverture du journal</translation>
     </message>
 </context>
 <context>
@@ -2212,7 +2212,7 @@ dps</translation>
     </message>
     <message>
         <source>Whose log it is: a device takes a table only for itself, and the report names it.</source>
-        <translation>À quel capteur appartient le journal : un appareil n’accepte qu’une table pour lui-même, et le rapport le nomme.</translation>
+        <translation>À quel capteur appartient le journal&#x202f;: un appareil n’accepte qu’une table pour lui-même, et le rapport le nomme.</translation>
     </message>
 </context>
 <context>
@@ -2738,6 +2738,10 @@ dps²</translation>
     <message>
         <source>Real log</source>
         <translation>Journal réel</translation>
+    </message>
+    <message>
+        <source>Real device</source>
+        <translation>Appareil réel</translation>
     </message>
 </context>
 <context>

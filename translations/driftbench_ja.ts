@@ -2729,6 +2729,10 @@ dps²</translation>
         <source>Real log</source>
         <translation>実ログ</translation>
     </message>
+    <message>
+        <source>Real device</source>
+        <translation>実機</translation>
+    </message>
 </context>
 <context>
     <name>driftbench::PeriodPanel</name>

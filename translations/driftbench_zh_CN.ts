@@ -2729,6 +2729,10 @@ dps²</translation>
         <source>Real log</source>
         <translation>实测日志</translation>
     </message>
+    <message>
+        <source>Real device</source>
+        <translation>真实设备</translation>
+    </message>
 </context>
 <context>
     <name>driftbench::PeriodPanel</name>

@@ -229,9 +229,11 @@ void PlanPage::showFigures()
         m_runHead->setNote(note);
     }
     showStillAir();
-    const bool simulated = context().workbench->isSourceSimulated();
-    head().setOrigin(context().workbench->sourceChoice() ? (simulated ? Origin::Simulated : Origin::Real)
-                                                         : Origin::None);
+    const Workbench &bench = *context().workbench;
+    head().setOrigin(bench.isSourceSimulated()   ? Origin::Simulated
+                     : bench.isSourcePluggedIn() ? Origin::Device
+                     : bench.sourceChoice()      ? Origin::Real
+                                                 : Origin::None);
     head().setContext(tr("What the chamber does in each run, and for how long"));
 }
 
