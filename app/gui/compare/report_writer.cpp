@@ -85,17 +85,30 @@ void ReportWriter::drawNext()
                   kPrepared + (kDrawn - kPrepared) * part);
 }
 
+static Status writeDocument(const ReportDocument &document, const std::filesystem::path &file)
+{
+    const bool html = file.extension() == ".html" || file.extension() == ".htm";
+    if (!html && file.extension() != ".pdf")
+        return Error{Errc::InvalidOption,
+                     "A report can't be written as " + file.string() + ": give it the ending .pdf or .html."};
+    const QByteArray bytes = html ? reportAsHtml(document, lightPalette()) : reportAsPdf(document);
+    return writeFileAtomically(file,
+                               std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
+}
+
+// All that the report was made of goes with the job: to give so much back takes its time.
 void ReportWriter::writeNow()
 {
     emit progress(tr("Writing"), kDrawn);
-    m_writing.start([document = m_document, file = m_file](const ProgressHook &) -> Status {
-        const bool html = file.extension() == ".html" || file.extension() == ".htm";
-        if (!html && file.extension() != ".pdf")
-            return Error{Errc::InvalidOption, "A report can't be written as " + file.string() +
-                                                  ": give it the ending .pdf or .html."};
-        const QByteArray bytes = html ? reportAsHtml(*document, lightPalette()) : reportAsPdf(*document);
-        return writeFileAtomically(
-            file, std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
+    m_writing.start([document = std::move(m_document), figures = std::move(m_figures),
+                     data = std::move(m_data), tasks = std::move(m_tasks),
+                     file = m_file](const ProgressHook &) mutable -> Status {
+        tasks.clear();
+        figures.reset();
+        data.reset();
+        const Status written = writeDocument(*document, file);
+        document.reset();
+        return written;
     });
 }
 
