@@ -9,6 +9,7 @@
 #include "app/gui/status_line.h"
 #include "app/gui/step_rail.h"
 #include "engine/physics/test_plan.h"
+#include "widgets/plot/plot_view.h"
 
 #include <QAbstractButton>
 #include <QAbstractSpinBox>
@@ -31,6 +32,8 @@ private slots:
     void rail_everyStep_isNeverLocked();
     void keys_altAndNumber_showTheStep();
     void theme_switched_reachesEveryPalette();
+    void theme_darkFromTheStart_reachesEveryPlot();
+    void statusLine_narrow_leavesOutWhatMay();
     void session_named_isSaidInTheCorner();
     void session_otherOpened_reachesTheRail();
     void plan_undone_byTheFramesAction();
@@ -83,6 +86,45 @@ void TestGuiFrame::theme_switched_reachesEveryPalette()
             QCOMPARE(lookOf(widget->palette()).dark, wanted.dark);
         QCOMPARE(window.main().grab().toImage().pixelColor(window.main().width() - 6, 400), wanted.page);
     }
+}
+
+void TestGuiFrame::theme_darkFromTheStart_reachesEveryPlot()
+{
+    Settings settings;
+    settings.theme = ThemeChoice::Dark;
+    GuiWindow window(settings);
+    const auto plots = window.main().findChildren<PlotView *>();
+    QVERIFY(plots.size() > 8);
+    for (const PlotView *plot : plots)
+        QVERIFY2(plot->look().dark, qPrintable(plot->accessibleName()));
+}
+
+void TestGuiFrame::statusLine_narrow_leavesOutWhatMay()
+{
+    StatusLine line;
+    line.setHints(QStringLiteral("Drag in the time strip to select"));
+    line.setParts({{QStringLiteral("3 runs, 8 400 samples"), Tone::Plain},
+                   {QStringLiteral("Simulated bridge"), Tone::Plain, 1},
+                   {QStringLiteral("51 GB free"), Tone::Plain, 2},
+                   {QStringLiteral("3 dropped of 400"), Tone::Caution}});
+    line.resize(1280, 24);
+    line.show();
+    QCOMPARE(line.parts().size(), 4);
+    qsizetype before = 4;
+    for (int width = 1270; width > 200; width -= 10) {
+        line.resize(width, 24);
+        const QStringList parts = line.parts();
+        QVERIFY(parts.size() <= before);
+        before = parts.size();
+        // The disk goes before the source, and neither what counts nor what is wrong.
+        QVERIFY(parts.contains(QStringLiteral("Simulated bridge")) ||
+                !parts.contains(QStringLiteral("51 GB free")));
+        QVERIFY(parts.contains(QStringLiteral("3 runs, 8 400 samples")));
+        QVERIFY(parts.contains(QStringLiteral("3 dropped of 400")));
+    }
+    QCOMPARE(before, 2);
+    line.resize(1280, 24);
+    QCOMPARE(line.parts().size(), 4);
 }
 
 void TestGuiFrame::session_named_isSaidInTheCorner()

@@ -36,10 +36,6 @@
         <translation>Die Drift ansehen.</translation>
     </message>
     <message>
-        <source>Each dot is a sample: its error against the temperature. Where they lie on one curve, a table can remove it.</source>
-        <translation>Jeder Punkt ist ein Abtastwert: sein Fehler über der Temperatur. Wo sie auf einer Kurve liegen, kann eine Tabelle ihn beseitigen.</translation>
-    </message>
-    <message>
         <source>Train the models.</source>
         <translation>Die Modelle trainieren.</translation>
     </message>
@@ -86,6 +82,10 @@
     <message>
         <source>The bridge was unplugged. Plug it in and try again, or stop the run and end the tour.</source>
         <translation>Die Bridge wurde abgezogen. Einstecken und wiederholen, oder den Lauf stoppen und die Tour beenden.</translation>
+    </message>
+    <message>
+        <source>Each sample&apos;s error against temperature. Where they lie on one curve, a table can remove it.</source>
+        <translation>Der Fehler jedes Abtastwerts über der Temperatur. Was auf einer Kurve liegt, kann eine Tabelle beseitigen.</translation>
     </message>
 </context>
 <context>
@@ -533,7 +533,7 @@
     </message>
     <message>
         <source>%1 against a constant, on runs it has not seen</source>
-        <translation>%1 gegen eine Konstante, auf Läufen, die das Modell nicht kennt</translation>
+        <translation>%1 gegen Konstante, auf neuen Läufen</translation>
     </message>
     <message>
         <source>The models are trained and judged on runs held out.</source>
@@ -897,10 +897,6 @@ keiner</translation>
         <translation>hier nicht bekannt</translation>
     </message>
     <message>
-        <source>%1 to %2 °C, %3 rows</source>
-        <translation>%1 bis %2 °C, %3 Zeilen</translation>
-    </message>
-    <message>
         <source>fixed point</source>
         <translation>Festkomma</translation>
     </message>
@@ -931,10 +927,6 @@ keiner</translation>
     <message>
         <source>Range, rows</source>
         <translation>Bereich, Zeilen</translation>
-    </message>
-    <message>
-        <source>Kind, thermometer</source>
-        <translation>Art, Thermometer</translation>
     </message>
     <message>
         <source>Sensor</source>
@@ -1027,6 +1019,18 @@ keiner</translation>
     <message>
         <source>The activation was not confirmed.</source>
         <translation>Die Aktivierung wurde nicht bestätigt.</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>recommended</source>
+        <translation>empfohlen</translation>
+    </message>
+    <message>
+        <source>%1 to %2 °C, %3</source>
+        <translation>%1 bis %2 °C, %3</translation>
     </message>
 </context>
 <context>
@@ -1160,24 +1164,12 @@ keiner</translation>
         <translation>Je Achse das Empfohlene</translation>
     </message>
     <message>
-        <source>int32, 1 LSB = 2^−%1 dps = %2 µdps</source>
-        <translation>int32, 1 LSB = 2^−%1 dps = %2 µdps</translation>
-    </message>
-    <message>
         <source>There is no table to write.</source>
         <translation>Es gibt keine Tabelle zum Schreiben.</translation>
     </message>
     <message>
         <source>The table for the device</source>
         <translation>Die Tabelle für das Gerät</translation>
-    </message>
-    <message>
-        <source>%1. Table of %2 rows, %3 °C apart.</source>
-        <translation>%1. Tabelle mit %2 Zeilen im Abstand von %3 °C.</translation>
-    </message>
-    <message>
-        <source>Recommended models</source>
-        <translation>Empfohlene Modelle</translation>
     </message>
     <message>
         <source>Into the spare bank; the one in use stays until the end</source>
@@ -1223,7 +1215,7 @@ keiner</translation>
     </message>
     <message>
         <source>Table on %1</source>
-        <translation>Tabelle auf %1</translation>
+        <translation>Auf %1</translation>
     </message>
     <message numerus="yes">
         <source>%n file(s) written</source>
@@ -1246,7 +1238,7 @@ keiner</translation>
     </message>
     <message>
         <source>Save files…</source>
-        <translation>Dateien speichern…</translation>
+        <translation>Speichern…</translation>
     </message>
     <message>
         <source>Write to device</source>
@@ -1328,6 +1320,30 @@ keiner</translation>
         <source>Look again</source>
         <translation>Erneut suchen</translation>
     </message>
+    <message>
+        <source>int32, 1 LSB = 2%1 dps = %2 µdps</source>
+        <translation>int32, 1 LSB = 2%1 dps = %2 µdps</translation>
+    </message>
+    <message>
+        <source>Table of %1 rows, %2 °C apart.</source>
+        <translation>%1 Zeilen, Abstand %2 °C</translation>
+    </message>
+    <message>
+        <source>Axes without a yes are written too.</source>
+        <translation>Auch Achsen ohne Ja werden geschrieben.</translation>
+    </message>
+    <message>
+        <source>Compare says what that costs on runs held out.</source>
+        <translation>Was das auf zurückgehaltenen Läufen kostet, steht unter Vergleichen.</translation>
+    </message>
+    <message>
+        <source>No table for %1.</source>
+        <translation>Keine Tabelle für %1.</translation>
+    </message>
+    <message>
+        <source>It does not help on runs held out; Compare has the figures. Its values are zero.</source>
+        <translation>Sie hilft auf zurückgehaltenen Läufen nicht; die Zahlen stehen unter Vergleichen. In der Tabelle stehen dafür Nullen.</translation>
+    </message>
 </context>
 <context>
     <name>driftbench::FileChoices</name>
@@ -1345,7 +1361,7 @@ keiner</translation>
     </message>
     <message>
         <source>cubic only: up to %1 mdps off on %2, %3 rms</source>
-        <translation>nur kubisch: bis zu %1 mdps Abweichung auf %2, %3 RMS</translation>
+        <translation>nur kubisch: %2 bis %1 mdps daneben, %3 RMS</translation>
     </message>
     <message>
         <source>%1 of %2 chosen</source>
@@ -1417,6 +1433,14 @@ keiner</translation>
     <message>
         <source>By which PX4 knows the gyro again: its parameter TC_G0_ID. Empty: the serial number.</source>
         <translation>Daran erkennt PX4 den Gyro wieder: sein Parameter TC_G0_ID. Leer: die Seriennummer.</translation>
+    </message>
+    <message>
+        <source>needs the gyro&apos;s device id, below</source>
+        <translation>braucht die Geräte-ID des Gyros, unten</translation>
+    </message>
+    <message>
+        <source>needs the sensor&apos;s name: state it when you open the log</source>
+        <translation>braucht den Sensor: beim Öffnen des Logs angeben</translation>
     </message>
 </context>
 <context>
@@ -1653,7 +1677,7 @@ keiner</translation>
     </message>
     <message>
         <source>TDE of %1 against temperature, reference %2 dps</source>
-        <translation>TDE von %1 über der Temperatur, Referenz %2 dps</translation>
+        <translation>TDE von %1, Referenz %2 dps</translation>
     </message>
     <message>
         <source>heating again</source>
@@ -2206,6 +2230,22 @@ dps</translation>
         <source>As the log says</source>
         <translation>Wie im Log</translation>
     </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Sensor</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>Seriennummer</translation>
+    </message>
+    <message>
+        <source>as the log says</source>
+        <translation>wie im Log</translation>
+    </message>
+    <message>
+        <source>Whose log it is: a device takes a table only for itself, and the report names it.</source>
+        <translation>Von welchem Sensor das Log ist: Ein Gerät nimmt nur eine Tabelle für sich selbst, und der Bericht nennt ihn.</translation>
+    </message>
 </context>
 <context>
     <name>driftbench::MainWindow</name>
@@ -2545,10 +2585,6 @@ dps</translation>
         <translation>%1 bis %2</translation>
     </message>
     <message>
-        <source>RBF as in the paper (Novel)</source>
-        <translation>RBF wie im Artikel (Neu)</translation>
-    </message>
-    <message>
         <source>RBF network (Novel)</source>
         <translation>RBF-Netz (Neu)</translation>
     </message>
@@ -2584,12 +2620,16 @@ dps</translation>
         <translation>%1 bis %2 Zentren</translation>
     </message>
     <message>
-        <source>RBF as in the paper, %1</source>
-        <translation>RBF wie im Artikel, %1</translation>
-    </message>
-    <message>
         <source>RBF, %1 (Novel)</source>
         <translation>RBF, %1 (Neu)</translation>
+    </message>
+    <message>
+        <source>RBF, paper (Novel)</source>
+        <translation>RBF, Artikel (Neu)</translation>
+    </message>
+    <message>
+        <source>RBF, paper, %1</source>
+        <translation>RBF, Artikel, %1</translation>
     </message>
 </context>
 <context>
@@ -2730,6 +2770,10 @@ dps²</translation>
     <message>
         <source>Real log</source>
         <translation>Echtes Log</translation>
+    </message>
+    <message>
+        <source>Real device</source>
+        <translation>Echtes Gerät</translation>
     </message>
 </context>
 <context>
@@ -4495,7 +4539,7 @@ dps²</translation>
     </message>
     <message>
         <source>One run in turn</source>
-        <translation>Jeden Lauf einmal</translation>
+        <translation>Je ein Lauf</translation>
     </message>
     <message>
         <source>Only %1</source>

@@ -36,10 +36,6 @@
         <translation>Regarder la dérive.</translation>
     </message>
     <message>
-        <source>Each dot is a sample: its error against the temperature. Where they lie on one curve, a table can remove it.</source>
-        <translation>Chaque point est un échantillon&#x202f;: son erreur selon la température. Là où les points suivent une seule courbe, une table peut l’éliminer.</translation>
-    </message>
-    <message>
         <source>Train the models.</source>
         <translation>Entraîner les modèles.</translation>
     </message>
@@ -86,6 +82,10 @@
     <message>
         <source>The bridge was unplugged. Plug it in and try again, or stop the run and end the tour.</source>
         <translation>Le pont a été débranché. Le rebrancher et réessayer, ou arrêter l’essai et quitter la visite.</translation>
+    </message>
+    <message>
+        <source>Each sample&apos;s error against temperature. Where they lie on one curve, a table can remove it.</source>
+        <translation>L’erreur de chaque échantillon selon la température. Sur une seule courbe, une table peut l’éliminer.</translation>
     </message>
 </context>
 <context>
@@ -897,12 +897,8 @@ aucune</translation>
         <translation>inconnu ici</translation>
     </message>
     <message>
-        <source>%1 to %2 °C, %3 rows</source>
-        <translation>%1 à %2 °C, %3 lignes</translation>
-    </message>
-    <message>
         <source>fixed point</source>
-        <translation>virgule fixe</translation>
+        <translation>fixe</translation>
     </message>
     <message>
         <source>float32</source>
@@ -918,7 +914,7 @@ aucune</translation>
     </message>
     <message>
         <source>Bank, generation</source>
-        <translation>Banque, génération</translation>
+        <translation>Banque, gén.</translation>
     </message>
     <message>
         <source>none</source>
@@ -931,10 +927,6 @@ aucune</translation>
     <message>
         <source>Range, rows</source>
         <translation>Plage, lignes</translation>
-    </message>
-    <message>
-        <source>Kind, thermometer</source>
-        <translation>Type, thermomètre</translation>
     </message>
     <message>
         <source>Sensor</source>
@@ -1027,6 +1019,18 @@ aucune</translation>
     <message>
         <source>The activation was not confirmed.</source>
         <translation>L’activation n’a pas été confirmée.</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>recommended</source>
+        <translation>conseillé</translation>
+    </message>
+    <message>
+        <source>%1 to %2 °C, %3</source>
+        <translation>%1 à %2 °C, %3</translation>
     </message>
 </context>
 <context>
@@ -1160,24 +1164,12 @@ aucune</translation>
         <translation>Modèle conseillé par axe</translation>
     </message>
     <message>
-        <source>int32, 1 LSB = 2^−%1 dps = %2 µdps</source>
-        <translation>int32, 1 LSB = 2^−%1 dps = %2 µdps</translation>
-    </message>
-    <message>
         <source>There is no table to write.</source>
         <translation>Il n’y a pas de table à écrire.</translation>
     </message>
     <message>
         <source>The table for the device</source>
         <translation>La table pour l’appareil</translation>
-    </message>
-    <message>
-        <source>%1. Table of %2 rows, %3 °C apart.</source>
-        <translation>%1. Table de %2 lignes, tous les %3 °C.</translation>
-    </message>
-    <message>
-        <source>Recommended models</source>
-        <translation>Modèles conseillés</translation>
     </message>
     <message>
         <source>Into the spare bank; the one in use stays until the end</source>
@@ -1223,7 +1215,7 @@ aucune</translation>
     </message>
     <message>
         <source>Table on %1</source>
-        <translation>Table dans %1</translation>
+        <translation>Dans %1</translation>
     </message>
     <message numerus="yes">
         <source>%n file(s) written</source>
@@ -1328,6 +1320,30 @@ aucune</translation>
         <source>Look again</source>
         <translation>Actualiser</translation>
     </message>
+    <message>
+        <source>int32, 1 LSB = 2%1 dps = %2 µdps</source>
+        <translation>int32, 1 LSB = 2%1 dps = %2 µdps</translation>
+    </message>
+    <message>
+        <source>Table of %1 rows, %2 °C apart.</source>
+        <translation>%1 lignes tous les %2 °C</translation>
+    </message>
+    <message>
+        <source>Axes without a yes are written too.</source>
+        <translation>Les axes sans oui sont écrits aussi.</translation>
+    </message>
+    <message>
+        <source>Compare says what that costs on runs held out.</source>
+        <translation>Comparer dit ce que cela coûte sur les essais réservés.</translation>
+    </message>
+    <message>
+        <source>No table for %1.</source>
+        <translation>Pas de table pour %1.</translation>
+    </message>
+    <message>
+        <source>It does not help on runs held out; Compare has the figures. Its values are zero.</source>
+        <translation>Elle n’aide pas sur les essais réservés&#x202f;; Comparer donne les chiffres. Des zéros y figurent.</translation>
+    </message>
 </context>
 <context>
     <name>driftbench::FileChoices</name>
@@ -1417,6 +1433,14 @@ aucune</translation>
     <message>
         <source>By which PX4 knows the gyro again: its parameter TC_G0_ID. Empty: the serial number.</source>
         <translation>Par lequel PX4 reconnaît le gyromètre&#x202f;: son paramètre TC_G0_ID. Vide&#x202f;: le numéro de série.</translation>
+    </message>
+    <message>
+        <source>needs the gyro&apos;s device id, below</source>
+        <translation>exige l’identifiant du gyro, ci-dessous</translation>
+    </message>
+    <message>
+        <source>needs the sensor&apos;s name: state it when you open the log</source>
+        <translation>exige le capteur&#x202f;: l’indiquer à l’ouverture du journal</translation>
     </message>
 </context>
 <context>
@@ -1653,7 +1677,7 @@ aucune</translation>
     </message>
     <message>
         <source>TDE of %1 against temperature, reference %2 dps</source>
-        <translation>TDE de %1 selon la température, référence %2 dps</translation>
+        <translation>TDE de %1, référence %2 dps</translation>
     </message>
     <message>
         <source>heating again</source>
@@ -2206,6 +2230,22 @@ dps</translation>
         <source>As the log says</source>
         <translation>Selon le journal</translation>
     </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Capteur</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>Numéro de série</translation>
+    </message>
+    <message>
+        <source>as the log says</source>
+        <translation>selon le journal</translation>
+    </message>
+    <message>
+        <source>Whose log it is: a device takes a table only for itself, and the report names it.</source>
+        <translation>À quel capteur appartient le journal&#x202f;: un appareil n’accepte qu’une table pour lui-même, et le rapport le nomme.</translation>
+    </message>
 </context>
 <context>
     <name>driftbench::MainWindow</name>
@@ -2545,10 +2585,6 @@ dps</translation>
         <translation>%1 à %2</translation>
     </message>
     <message>
-        <source>RBF as in the paper (Novel)</source>
-        <translation>RBF selon l’article (Nouveau)</translation>
-    </message>
-    <message>
         <source>RBF network (Novel)</source>
         <translation>Réseau RBF (Nouveau)</translation>
     </message>
@@ -2584,12 +2620,16 @@ dps</translation>
         <translation>%1 à %2 centres</translation>
     </message>
     <message>
-        <source>RBF as in the paper, %1</source>
-        <translation>RBF selon l’article, %1</translation>
-    </message>
-    <message>
         <source>RBF, %1 (Novel)</source>
         <translation>RBF, %1 (Nouveau)</translation>
+    </message>
+    <message>
+        <source>RBF, paper (Novel)</source>
+        <translation>RBF, article (Nouveau)</translation>
+    </message>
+    <message>
+        <source>RBF, paper, %1</source>
+        <translation>RBF, article, %1</translation>
     </message>
 </context>
 <context>
@@ -2730,6 +2770,10 @@ dps²</translation>
     <message>
         <source>Real log</source>
         <translation>Journal réel</translation>
+    </message>
+    <message>
+        <source>Real device</source>
+        <translation>Appareil réel</translation>
     </message>
 </context>
 <context>

@@ -17,7 +17,7 @@
     </message>
     <message>
         <source>From −40 to 85 °C in steps that the datasheets allow. The tour takes three runs instead of five; each is judged by a model of the others.</source>
-        <translation>データシートが許すステップで −40〜85 °C。ツアーの測定は 5 回ではなく 3 回で、それぞれ他の測定のモデルで判定されます。</translation>
+        <translation>データシートが許すステップで −40～85 °C。ツアーの測定は 5 回ではなく 3 回で、それぞれ他の測定のモデルで判定されます。</translation>
     </message>
     <message>
         <source>Record the runs.</source>
@@ -34,10 +34,6 @@
     <message>
         <source>Look at the drift.</source>
         <translation>ドリフトを見ます。</translation>
-    </message>
-    <message>
-        <source>Each dot is a sample: its error against the temperature. Where they lie on one curve, a table can remove it.</source>
-        <translation>各点は 1 サンプルで、温度に対する誤差を表します。1 本の曲線に乗る部分はテーブルで除去できます。</translation>
     </message>
     <message>
         <source>Train the models.</source>
@@ -86,6 +82,10 @@
     <message>
         <source>The bridge was unplugged. Plug it in and try again, or stop the run and end the tour.</source>
         <translation>ブリッジが取り外されました。接続して再試行するか、測定を停止してツアーを終了してください。</translation>
+    </message>
+    <message>
+        <source>Each sample&apos;s error against temperature. Where they lie on one curve, a table can remove it.</source>
+        <translation>各サンプルの誤差と温度の関係です。一本の曲線上にあれば、テーブルで取り除けます。</translation>
     </message>
 </context>
 <context>
@@ -355,11 +355,11 @@
     </message>
     <message>
         <source>lowest to highest run</source>
-        <translation>測定の最小〜最大</translation>
+        <translation>測定の最小～最大</translation>
     </message>
     <message>
         <source>lowest to highest block</source>
-        <translation>ブロックの最小〜最大</translation>
+        <translation>ブロックの最小～最大</translation>
     </message>
     <message>
         <source>Chosen number</source>
@@ -895,10 +895,6 @@ none</source>
         <translation>ここでは不明</translation>
     </message>
     <message>
-        <source>%1 to %2 °C, %3 rows</source>
-        <translation>%1〜%2 °C、%3 行</translation>
-    </message>
-    <message>
         <source>fixed point</source>
         <translation>固定小数点</translation>
     </message>
@@ -929,10 +925,6 @@ none</source>
     <message>
         <source>Range, rows</source>
         <translation>範囲、行数</translation>
-    </message>
-    <message>
-        <source>Kind, thermometer</source>
-        <translation>種類、温度計</translation>
     </message>
     <message>
         <source>Sensor</source>
@@ -1026,6 +1018,18 @@ none</source>
         <source>The activation was not confirmed.</source>
         <translation>有効化を確認できませんでした。</translation>
     </message>
+    <message>
+        <source>Kind</source>
+        <translation>種類</translation>
+    </message>
+    <message>
+        <source>recommended</source>
+        <translation>推奨</translation>
+    </message>
+    <message>
+        <source>%1 to %2 °C, %3</source>
+        <translation>%1～%2 °C、%3</translation>
+    </message>
 </context>
 <context>
     <name>driftbench::DurationField</name>
@@ -1089,7 +1093,7 @@ none</source>
     </message>
     <message>
         <source>%1 to %2</source>
-        <translation>%1〜%2</translation>
+        <translation>%1～%2</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -1158,24 +1162,12 @@ none</source>
         <translation>各軸の推奨モデル</translation>
     </message>
     <message>
-        <source>int32, 1 LSB = 2^−%1 dps = %2 µdps</source>
-        <translation>int32、1 LSB = 2^−%1 dps = %2 µdps</translation>
-    </message>
-    <message>
         <source>There is no table to write.</source>
         <translation>書き込むテーブルがありません。</translation>
     </message>
     <message>
         <source>The table for the device</source>
         <translation>デバイス用のテーブル</translation>
-    </message>
-    <message>
-        <source>%1. Table of %2 rows, %3 °C apart.</source>
-        <translation>%1。%2 行、%3 °C 間隔のテーブル。</translation>
-    </message>
-    <message>
-        <source>Recommended models</source>
-        <translation>推奨モデル</translation>
     </message>
     <message>
         <source>Into the spare bank; the one in use stays until the end</source>
@@ -1219,7 +1211,7 @@ none</source>
     </message>
     <message>
         <source>Table on %1</source>
-        <translation>%1 にテーブルあり</translation>
+        <translation>%1 書込済</translation>
     </message>
     <message numerus="yes">
         <source>%n file(s) written</source>
@@ -1323,6 +1315,30 @@ none</source>
         <source>Look again</source>
         <translation>再検索</translation>
     </message>
+    <message>
+        <source>int32, 1 LSB = 2%1 dps = %2 µdps</source>
+        <translation>int32、1 LSB = 2%1 dps = %2 µdps</translation>
+    </message>
+    <message>
+        <source>Table of %1 rows, %2 °C apart.</source>
+        <translation>%1 行、%2 °C 間隔</translation>
+    </message>
+    <message>
+        <source>Axes without a yes are written too.</source>
+        <translation>「可」でない軸も書き込まれます。</translation>
+    </message>
+    <message>
+        <source>Compare says what that costs on runs held out.</source>
+        <translation>検証用の測定での影響は「比較」に示されます。</translation>
+    </message>
+    <message>
+        <source>No table for %1.</source>
+        <translation>%1 のテーブルはありません。</translation>
+    </message>
+    <message>
+        <source>It does not help on runs held out; Compare has the figures. Its values are zero.</source>
+        <translation>検証用の測定で効果がありません。数値は「比較」にあります。値は 0 になります。</translation>
+    </message>
 </context>
 <context>
     <name>driftbench::FileChoices</name>
@@ -1411,6 +1427,14 @@ none</source>
     <message>
         <source>By which PX4 knows the gyro again: its parameter TC_G0_ID. Empty: the serial number.</source>
         <translation>PX4 がジャイロを識別するためのパラメータ TC_G0_ID です。空欄の場合はシリアル番号を使います。</translation>
+    </message>
+    <message>
+        <source>needs the gyro&apos;s device id, below</source>
+        <translation>下のジャイロのデバイス ID が必要</translation>
+    </message>
+    <message>
+        <source>needs the sensor&apos;s name: state it when you open the log</source>
+        <translation>センサの情報が必要（ログを開くときに入力）</translation>
     </message>
 </context>
 <context>
@@ -1846,7 +1870,7 @@ none</source>
     </message>
     <message>
         <source>%1 to %2 °C</source>
-        <translation>%1〜%2 °C</translation>
+        <translation>%1～%2 °C</translation>
     </message>
     <message>
         <source>%1 % of it</source>
@@ -2197,12 +2221,28 @@ dps</translation>
         <source>As the log says</source>
         <translation>ログに従う</translation>
     </message>
+    <message>
+        <source>Sensor</source>
+        <translation>センサ</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>シリアル番号</translation>
+    </message>
+    <message>
+        <source>as the log says</source>
+        <translation>ログの記載どおり</translation>
+    </message>
+    <message>
+        <source>Whose log it is: a device takes a table only for itself, and the report names it.</source>
+        <translation>どのセンサのログか。デバイスは自分用のテーブルだけを受け付け、レポートにも記載されます。</translation>
+    </message>
 </context>
 <context>
     <name>driftbench::MainWindow</name>
     <message>
         <source>Tab next · Enter choose · Ctrl+O open files · Alt+1 to 7 steps</source>
-        <translation>Tab 次へ · Enter 選択 · Ctrl+O ファイルを開く · Alt+1〜7 ステップ</translation>
+        <translation>Tab 次へ · Enter 選択 · Ctrl+O ファイルを開く · Alt+1～7 ステップ</translation>
     </message>
     <message>
         <source>Event log</source>
@@ -2442,7 +2482,7 @@ dps</translation>
     </message>
     <message>
         <source>Gap from %1 to %2 s: %3.</source>
-        <translation>%1〜%2 s に途切れ：%3。</translation>
+        <translation>%1～%2 s に途切れ：%3。</translation>
     </message>
     <message>
         <source>Session restored.</source>
@@ -2533,11 +2573,7 @@ dps</translation>
     <name>driftbench::ModelWords</name>
     <message>
         <source>%1 to %2</source>
-        <translation>%1〜%2</translation>
-    </message>
-    <message>
-        <source>RBF as in the paper (Novel)</source>
-        <translation>論文どおりの RBF（提案法）</translation>
+        <translation>%1～%2</translation>
     </message>
     <message>
         <source>RBF network (Novel)</source>
@@ -2571,15 +2607,19 @@ dps</translation>
     </message>
     <message>
         <source>%1 to %2 centres</source>
-        <translation>中心数 %1〜%2</translation>
-    </message>
-    <message>
-        <source>RBF as in the paper, %1</source>
-        <translation>論文どおりの RBF、%1</translation>
+        <translation>中心数 %1～%2</translation>
     </message>
     <message>
         <source>RBF, %1 (Novel)</source>
         <translation>RBF、%1（提案法）</translation>
+    </message>
+    <message>
+        <source>RBF, paper (Novel)</source>
+        <translation>論文どおりの RBF（提案法）</translation>
+    </message>
+    <message>
+        <source>RBF, paper, %1</source>
+        <translation>論文どおりの RBF、%1</translation>
     </message>
 </context>
 <context>
@@ -2720,6 +2760,10 @@ dps²</translation>
     <message>
         <source>Real log</source>
         <translation>実ログ</translation>
+    </message>
+    <message>
+        <source>Real device</source>
+        <translation>実機</translation>
     </message>
 </context>
 <context>
@@ -2864,7 +2908,7 @@ dps²</translation>
     </message>
     <message>
         <source>%1 to %2 °C</source>
-        <translation>%1〜%2 °C</translation>
+        <translation>%1～%2 °C</translation>
     </message>
     <message>
         <source>None, from a log</source>
@@ -3123,7 +3167,7 @@ dps²</translation>
     </message>
     <message>
         <source>%1 to %2</source>
-        <translation>%1〜%2</translation>
+        <translation>%1～%2</translation>
     </message>
     <message>
         <source>Looking…</source>
@@ -3326,7 +3370,7 @@ dps²</translation>
     </message>
     <message>
         <source>%1 to %2</source>
-        <translation>%1〜%2</translation>
+        <translation>%1～%2</translation>
     </message>
     <message>
         <source>%1, compensated by the model of %2</source>
@@ -3572,7 +3616,7 @@ dps²</translation>
     </message>
     <message>
         <source>The model has not seen this run. Mean, and lowest to highest, of each stretch of time; rms about the reference rate.</source>
-        <translation>モデルはこの測定を学習に使っていません。時間区間ごとの平均と最小〜最大、rms は基準角速度に対する値です。</translation>
+        <translation>モデルはこの測定を学習に使っていません。時間区間ごとの平均と最小～最大、rms は基準角速度に対する値です。</translation>
     </message>
     <message>
         <source>Allan deviation of run %1</source>
@@ -3984,7 +4028,7 @@ dps²</translation>
     </message>
     <message>
         <source>Up, Down choose · Enter use · F5 look again · Ctrl+O open files · Alt+1 to 7 steps</source>
-        <translation>↑, ↓ 選択 · Enter 使用 · F5 再検索 · Ctrl+O ファイルを開く · Alt+1〜7 ステップ</translation>
+        <translation>↑, ↓ 選択 · Enter 使用 · F5 再検索 · Ctrl+O ファイルを開く · Alt+1～7 ステップ</translation>
     </message>
     <message>
         <source>%1 %2 is plugged in, but you may not open it.</source>
@@ -4856,7 +4900,7 @@ dps²</translation>
     </message>
     <message>
         <source>%1 to %2</source>
-        <translation>%1〜%2</translation>
+        <translation>%1～%2</translation>
     </message>
     <message>
         <source>%1 times less than a constant</source>
@@ -4864,7 +4908,7 @@ dps²</translation>
     </message>
     <message>
         <source>%1 to %2 times less than a constant</source>
-        <translation>定数の 1/%1〜1/%2</translation>
+        <translation>定数の 1/%1～1/%2</translation>
     </message>
     <message>
         <source>It was not judged on any run.</source>

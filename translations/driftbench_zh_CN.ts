@@ -36,10 +36,6 @@
         <translation>查看漂移。</translation>
     </message>
     <message>
-        <source>Each dot is a sample: its error against the temperature. Where they lie on one curve, a table can remove it.</source>
-        <translation>每点为一个样本：其误差对温度。各点落在一条曲线上时，补偿表即可消除。</translation>
-    </message>
-    <message>
         <source>Train the models.</source>
         <translation>训练模型。</translation>
     </message>
@@ -86,6 +82,10 @@
     <message>
         <source>The bridge was unplugged. Plug it in and try again, or stop the run and end the tour.</source>
         <translation>桥接器被拔出。请插回后重试，或停止采集并结束导览。</translation>
+    </message>
+    <message>
+        <source>Each sample&apos;s error against temperature. Where they lie on one curve, a table can remove it.</source>
+        <translation>每个样本的误差随温度的变化。落在同一条曲线上，补偿表就能消除它。</translation>
     </message>
 </context>
 <context>
@@ -895,10 +895,6 @@ none</source>
         <translation>此处未知</translation>
     </message>
     <message>
-        <source>%1 to %2 °C, %3 rows</source>
-        <translation>%1 至 %2 °C，%3 行</translation>
-    </message>
-    <message>
         <source>fixed point</source>
         <translation>定点</translation>
     </message>
@@ -929,10 +925,6 @@ none</source>
     <message>
         <source>Range, rows</source>
         <translation>范围，行数</translation>
-    </message>
-    <message>
-        <source>Kind, thermometer</source>
-        <translation>类型，温度计</translation>
     </message>
     <message>
         <source>Sensor</source>
@@ -1025,6 +1017,18 @@ none</source>
     <message>
         <source>The activation was not confirmed.</source>
         <translation>激活未得到确认。</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>recommended</source>
+        <translation>推荐</translation>
+    </message>
+    <message>
+        <source>%1 to %2 °C, %3</source>
+        <translation>%1 至 %2 °C，%3</translation>
     </message>
 </context>
 <context>
@@ -1158,24 +1162,12 @@ none</source>
         <translation>各轴推荐模型</translation>
     </message>
     <message>
-        <source>int32, 1 LSB = 2^−%1 dps = %2 µdps</source>
-        <translation>int32，1 LSB = 2^−%1 dps = %2 µdps</translation>
-    </message>
-    <message>
         <source>There is no table to write.</source>
         <translation>无可写入的补偿表。</translation>
     </message>
     <message>
         <source>The table for the device</source>
         <translation>设备的补偿表</translation>
-    </message>
-    <message>
-        <source>%1. Table of %2 rows, %3 °C apart.</source>
-        <translation>%1。补偿表 %2 行，间隔 %3 °C。</translation>
-    </message>
-    <message>
-        <source>Recommended models</source>
-        <translation>推荐模型</translation>
     </message>
     <message>
         <source>Into the spare bank; the one in use stays until the end</source>
@@ -1323,6 +1315,30 @@ none</source>
         <source>Look again</source>
         <translation>重新查找</translation>
     </message>
+    <message>
+        <source>int32, 1 LSB = 2%1 dps = %2 µdps</source>
+        <translation>int32，1 LSB = 2%1 dps = %2 µdps</translation>
+    </message>
+    <message>
+        <source>Table of %1 rows, %2 °C apart.</source>
+        <translation>%1 行，间隔 %2 °C</translation>
+    </message>
+    <message>
+        <source>Axes without a yes are written too.</source>
+        <translation>判定非“是”的轴也会写入。</translation>
+    </message>
+    <message>
+        <source>Compare says what that costs on runs held out.</source>
+        <translation>在留出测次上的代价见“比较”。</translation>
+    </message>
+    <message>
+        <source>No table for %1.</source>
+        <translation>%1 没有补偿表。</translation>
+    </message>
+    <message>
+        <source>It does not help on runs held out; Compare has the figures. Its values are zero.</source>
+        <translation>它在留出测次上没有帮助；数据见“比较”。此处为零。</translation>
+    </message>
 </context>
 <context>
     <name>driftbench::FileChoices</name>
@@ -1411,6 +1427,14 @@ none</source>
     <message>
         <source>By which PX4 knows the gyro again: its parameter TC_G0_ID. Empty: the serial number.</source>
         <translation>PX4 据此识别陀螺：其参数 TC_G0_ID。留空：用序列号。</translation>
+    </message>
+    <message>
+        <source>needs the gyro&apos;s device id, below</source>
+        <translation>需要下面的陀螺仪设备 ID</translation>
+    </message>
+    <message>
+        <source>needs the sensor&apos;s name: state it when you open the log</source>
+        <translation>需要传感器信息：打开日志时填写</translation>
     </message>
 </context>
 <context>
@@ -2197,6 +2221,22 @@ dps</translation>
         <source>As the log says</source>
         <translation>以日志为准</translation>
     </message>
+    <message>
+        <source>Sensor</source>
+        <translation>传感器</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>序列号</translation>
+    </message>
+    <message>
+        <source>as the log says</source>
+        <translation>按日志</translation>
+    </message>
+    <message>
+        <source>Whose log it is: a device takes a table only for itself, and the report names it.</source>
+        <translation>日志属于哪个传感器：设备只接受自己的补偿表，报告也会注明。</translation>
+    </message>
 </context>
 <context>
     <name>driftbench::MainWindow</name>
@@ -2536,10 +2576,6 @@ dps</translation>
         <translation>%1 至 %2</translation>
     </message>
     <message>
-        <source>RBF as in the paper (Novel)</source>
-        <translation>论文 RBF（新型）</translation>
-    </message>
-    <message>
         <source>RBF network (Novel)</source>
         <translation>RBF 网络（新型）</translation>
     </message>
@@ -2574,12 +2610,16 @@ dps</translation>
         <translation>%1 至 %2 个中心</translation>
     </message>
     <message>
-        <source>RBF as in the paper, %1</source>
-        <translation>论文 RBF，%1</translation>
-    </message>
-    <message>
         <source>RBF, %1 (Novel)</source>
         <translation>RBF，%1（新型）</translation>
+    </message>
+    <message>
+        <source>RBF, paper (Novel)</source>
+        <translation>论文 RBF（新型）</translation>
+    </message>
+    <message>
+        <source>RBF, paper, %1</source>
+        <translation>论文 RBF，%1</translation>
     </message>
 </context>
 <context>
@@ -2720,6 +2760,10 @@ dps²</translation>
     <message>
         <source>Real log</source>
         <translation>实测日志</translation>
+    </message>
+    <message>
+        <source>Real device</source>
+        <translation>真实设备</translation>
     </message>
 </context>
 <context>

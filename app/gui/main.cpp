@@ -18,6 +18,7 @@
 #include <QStandardPaths>
 #include <QTimer>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace driftbench {
@@ -35,20 +36,54 @@ static std::filesystem::path sessionFolder()
     return std::filesystem::path(data.toStdString()) / "sessions";
 }
 
-static int run(QApplication &application, const QElapsedTimer &sinceStart)
+static const QString kFirstPaint = QStringLiteral("bench-first-paint");
+
+// Ends the program for --help, --version and wrong options.
+static void parse(QCommandLineParser &parser)
 {
-    QCommandLineParser parser;
+    QCoreApplication::setApplicationName(QStringLiteral("driftbench"));
+    QCoreApplication::setOrganizationName(QStringLiteral("driftbench"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(DRIFTBENCH_VERSION));
     parser.setApplicationDescription(
         QStringLiteral("Calibrates the temperature drift of MEMS gyros. Headless: driftbench-cli."));
     parser.addHelpOption();
     parser.addVersionOption();
-    const QCommandLineOption firstPaint(QStringLiteral("bench-first-paint"),
-                                        QStringLiteral("Prints the time to the first paint, and ends."));
-    parser.addOption(firstPaint);
+    parser.addOption({kFirstPaint, QStringLiteral("Prints the time to the first paint, and ends.")});
     parser.addPositionalArgument(QStringLiteral("files"), QStringLiteral("Logs and sessions to open."),
                                  QStringLiteral("[files...]"));
-    parser.process(application);
+    parser.process(*QCoreApplication::instance());
+}
 
+// Without X or Wayland Qt ends the program with an abort.
+static bool hasDisplay(int argc, char **argv)
+{
+#ifndef Q_OS_LINUX
+    return true;
+#endif
+    for (const char *name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
+        if (qEnvironmentVariableIsSet(name))
+            return true;
+    }
+    return std::any_of(argv, argv + argc, [](const char *each) {
+        return QByteArrayView(each).startsWith("-platform") || QByteArrayView(each).startsWith("--platform");
+    });
+}
+
+static int sayNoDisplay(int argc, char **argv)
+{
+    QCoreApplication application(argc, argv);
+    QCommandLineParser parser;
+    parse(parser);
+    std::fprintf(stderr,
+                 "driftbench: There is no display to open the window on. Start it in a desktop session, or "
+                 "use driftbench-cli.\n");
+    return 1;
+}
+
+static int run(const QElapsedTimer &sinceStart)
+{
+    QCommandLineParser parser;
+    parse(parser);
     installAccessibleAreas();
     QSettings store;
     const Settings settings = loadSettings(store);
@@ -67,7 +102,7 @@ static int run(QApplication &application, const QElapsedTimer &sinceStart)
                      [&] { saveSettings((*bench)->settings(), store); });
     AppContext context{theme, events, navigator, bench->get()};
     MainWindow window(context, language);
-    const bool timed = parser.isSet(firstPaint);
+    const bool timed = parser.isSet(kFirstPaint);
     window.onFirstPaint([&window, &sinceStart, timed, files = parser.positionalArguments()] {
         if (timed) {
             std::printf("first paint after %lld ms\n", static_cast<long long>(sinceStart.elapsed()));
@@ -91,12 +126,11 @@ int main(int argc, char **argv)
 {
     QElapsedTimer sinceStart;
     sinceStart.start();
+    if (!driftbench::hasDisplay(argc, argv))
+        return driftbench::sayNoDisplay(argc, argv);
     QApplication application(argc, argv);
-    QApplication::setApplicationName(QStringLiteral("driftbench"));
-    QApplication::setOrganizationName(QStringLiteral("driftbench"));
     QApplication::setApplicationDisplayName(QStringLiteral("Driftbench"));
-    QApplication::setApplicationVersion(QStringLiteral(DRIFTBENCH_VERSION));
     QApplication::setDesktopFileName(QStringLiteral("org.driftbench.Workbench"));
     QApplication::setWindowIcon(driftbench::applicationIcon());
-    return driftbench::run(application, sinceStart);
+    return driftbench::run(sinceStart);
 }

@@ -28,10 +28,10 @@
 
 namespace driftbench {
 
-// What a page needs beside rail, menu bar and status bar in a window of 1280 x 720; in a smaller one it
-// scrolls.
-// At 1280 x 720; where the tour's strip takes height, beside the scroll bar.
-static constexpr QSize kLeastPage(1096 - 14, 670);
+// What is left for a page in a window of 1280 x 720 beside rail, menu bar, status bar, scroll bar and the
+// tour's strip; in a smaller one it scrolls.
+static constexpr QSize kLeastPage(1096 - 14, 624);
+static constexpr int kUsualHeight = 670; // without that strip
 
 MainWindow::MainWindow(AppContext &context, Language &language, QWidget *parent)
     : QMainWindow(parent)
@@ -79,22 +79,36 @@ MainWindow::~MainWindow()
 
 namespace {
 
-// Holds the pages at what size there is: a layout would ask each of them for its height at that width, and
-// the scroll area would follow the tallest.
+// Holds the pages at what size there is, and the one that is shown at no less than it needs: a layout would
+// ask each of them for its height at that width, and the scroll area would follow the tallest.
 class PageFrame : public QWidget
 {
 public:
-    explicit PageFrame(QWidget *pages) : m_pages(pages)
+    explicit PageFrame(QStackedWidget *pages) : m_pages(pages)
     {
         pages->setParent(this);
-        setMinimumSize(kLeastPage);
+        connect(pages, &QStackedWidget::currentChanged, this, [this] { updateGeometry(); });
+    }
+
+    QSize minimumSizeHint() const override
+    {
+        const QWidget *page = m_pages->currentWidget();
+        const int needed = page ? page->minimumSizeHint().height() : 0;
+        return {kLeastPage.width(), std::clamp(needed, kLeastPage.height(), kUsualHeight)};
     }
 
 protected:
     void resizeEvent(QResizeEvent *) override { m_pages->setGeometry(rect()); }
 
+    bool event(QEvent *event) override
+    {
+        if (event->type() == QEvent::LayoutRequest)
+            updateGeometry();
+        return QWidget::event(event);
+    }
+
 private:
-    QWidget *m_pages;
+    QStackedWidget *m_pages;
 };
 
 } // namespace

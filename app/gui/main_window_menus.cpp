@@ -7,6 +7,7 @@
 #include "app/language/language.h"
 #include "widgets/controls/action_button.h"
 #include "widgets/style/theme.h"
+#include "widgets/tables/table_paint.h"
 
 #include <QActionGroup>
 #include <QApplication>
@@ -181,13 +182,10 @@ void MainWindow::buildEventLog()
     m_eventDock->setObjectName(QStringLiteral("eventLog"));
     m_eventDock->setAllowedAreas(Qt::BottomDockWidgetArea | Qt::RightDockWidgetArea);
     auto *table = new QTableView(m_eventDock);
+    dressTable(*table);
     table->setModel(&m_context.events);
-    table->verticalHeader()->hide();
-    table->verticalHeader()->setDefaultSectionSize(24);
     table->horizontalHeader()->setStretchLastSection(true);
     table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    table->setShowGrid(false);
-    table->setFrameShape(QFrame::NoFrame);
     m_eventDock->setWidget(table);
     addDockWidget(Qt::BottomDockWidgetArea, m_eventDock);
     m_eventDock->hide();

@@ -112,9 +112,9 @@ void MainWindow::logEvents()
                 QString::fromStdString(event.text));
     });
     Acquisition &acquisition = m_bench.acquisition();
-    connect(&acquisition, &Acquisition::started, &log, [&log](const SourceInfo &info) {
+    connect(&acquisition, &Acquisition::started, &log, [this, &log] {
         //: %1 is the name of a source
-        log.add(EventKind::Info, tr("%1 is running.").arg(QString::fromStdString(info.name)));
+        log.add(EventKind::Info, tr("%1 is running.").arg(m_bench.sourceName()));
     });
     connect(&acquisition, &Acquisition::sourceSaid, &log,
             [&log](const QString &sentence) { log.add(EventKind::Caution, sentence); });

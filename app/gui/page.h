@@ -28,6 +28,7 @@ struct StatusPart
 {
     QString text;
     Tone tone = Tone::Plain;
+    int yields = 0; // where room is short the part with the highest is left out first; 0: never
 };
 
 class Page : public QWidget

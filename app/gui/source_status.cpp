@@ -13,6 +13,9 @@ namespace driftbench {
 static constexpr int kReadOutMs = 250;
 static constexpr int kRoomMs = 5000;
 static constexpr double kRateOverS = 2.0;
+// While nothing is wrong with them.
+static constexpr int kYieldsFirst = 2;
+static constexpr int kYieldsLast = 1;
 static constexpr double kGiga = 1e9;
 static constexpr double kLittleRoomBytes = 1e9;
 
@@ -77,13 +80,14 @@ std::vector<StatusPart> SourceStatus::parts() const
         source += tr(" · no samples for %1 s").arg(numberText(std::floor(*silentS), 0));
     else if (m_rateHz > 0.0)
         source += tr(" · %1 Hz").arg(samplingRateText(m_rateHz));
-    const Tone tone = silentS ? Tone::Caution : Tone::Plain;
+    const StatusPart good{source + tr(" · 0 dropped"), Tone::Plain, kYieldsLast};
+    const StatusPart silent{source, Tone::Caution};
     if (m_dropped == 0)
-        return {{silentS ? source : source + tr(" · 0 dropped"), tone}};
+        return {silentS ? silent : good};
     const QString dropped = tr("%1 dropped of %2")
                                 .arg(numberText(static_cast<double>(m_dropped), 0),
                                      numberText(static_cast<double>(m_dropped + m_samples), 0));
-    return {{source, tone}, {dropped, Tone::Caution}};
+    return {silentS ? silent : StatusPart{source}, {dropped, Tone::Caution}};
 }
 
 StatusPart SourceStatus::room() const
@@ -91,8 +95,9 @@ StatusPart SourceStatus::room() const
     if (m_freeBytes < 0)
         return {};
     const double bytes = static_cast<double>(m_freeBytes);
-    return {tr("%1 GB free").arg(numberText(bytes / kGiga, bytes < 10.0 * kGiga ? 1 : 0)),
-            bytes < kLittleRoomBytes ? Tone::Caution : Tone::Plain};
+    const QString text = tr("%1 GB free").arg(numberText(bytes / kGiga, bytes < 10.0 * kGiga ? 1 : 0));
+    return bytes < kLittleRoomBytes ? StatusPart{text, Tone::Caution}
+                                    : StatusPart{text, Tone::Plain, kYieldsFirst};
 }
 
 } // namespace driftbench

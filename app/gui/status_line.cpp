@@ -6,7 +6,13 @@
 #include <QHBoxLayout>
 #include <QPainter>
 
+#include <algorithm>
+
 namespace driftbench {
+
+static constexpr int kLeft = 12;
+static constexpr int kRight = 10;
+static constexpr int kBetween = 15;
 
 namespace {
 
@@ -31,8 +37,8 @@ StatusLine::StatusLine(QWidget *parent)
     setSizeGripEnabled(false);
     auto *content = new QWidget(this);
     m_layout = new QHBoxLayout(content);
-    m_layout->setContentsMargins(12, 0, 10, 0);
-    m_layout->setSpacing(15);
+    m_layout->setContentsMargins(kLeft, 0, kRight, 0);
+    m_layout->setSpacing(kBetween);
     m_hints->setElided(true);
     m_layout->addWidget(m_hints, 1);
     addPermanentWidget(content, 1);
@@ -44,10 +50,33 @@ StatusLine::StatusLine(QWidget *parent)
 void StatusLine::setHints(const QString &hints)
 {
     m_hints->setText(hints);
+    fit();
 }
 
 void StatusLine::setParts(const std::vector<StatusPart> &parts)
 {
+    m_wanted = parts;
+    fit();
+}
+
+int StatusLine::widthOf(const std::vector<StatusPart> &parts) const
+{
+    int width = kLeft + kRight + m_hints->fontMetrics().horizontalAdvance(m_hints->text());
+    for (const StatusPart &part : parts)
+        width += 2 * kBetween + 1 + m_hints->fontMetrics().horizontalAdvance(part.text);
+    return width;
+}
+
+void StatusLine::fit()
+{
+    std::vector<StatusPart> parts = m_wanted;
+    while (widthOf(parts) > width()) {
+        const auto first = std::max_element(parts.begin(), parts.end(),
+                                            [](const auto &a, const auto &b) { return a.yields < b.yields; });
+        if (first == parts.end() || first->yields == 0)
+            break;
+        parts.erase(first);
+    }
     while (m_parts.size() < parts.size()) {
         auto *rule = new UprightRule(this);
         rule->setVisible(!m_parts.empty());
@@ -76,6 +105,12 @@ QStringList StatusLine::parts() const
             texts << part->text();
     }
     return texts;
+}
+
+void StatusLine::resizeEvent(QResizeEvent *event)
+{
+    QStatusBar::resizeEvent(event);
+    fit();
 }
 
 void StatusLine::paintEvent(QPaintEvent *)

@@ -242,6 +242,11 @@ bool Workbench::isSourceSimulated() const
     return m_choice && m_choice->as<SimulatedChoice>();
 }
 
+bool Workbench::isSourcePluggedIn() const
+{
+    return m_choice && !m_choice->as<SimulatedChoice>() && !m_choice->as<FileChoice>();
+}
+
 QString Workbench::sourceName() const
 {
     if (!m_choice)

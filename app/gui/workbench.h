@@ -67,6 +67,7 @@ public:
     void setSourceChoice(const SourceChoice &choice); // stops what was watched
     Status useSource();
     bool isSourceSimulated() const; // the choice, not the runs
+    bool isSourcePluggedIn() const; // a bridge, neither simulated nor a log that is played back
     QString sourceName() const;     // "Simulated bridge", "run1.csv"; empty: none chosen
     Acquisition &acquisition() { return m_acquisition; }
     // Opens the choice and lets it run; what runs is stopped first. False: no choice, or a run is recorded.

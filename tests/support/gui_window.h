@@ -37,6 +37,8 @@ struct GuiWindow
         bench = *std::move(made);
         context.workbench = bench.get();
         language.set(settings.language.isEmpty() ? QStringLiteral("en") : settings.language);
+        if (settings.theme == ThemeChoice::Dark)
+            theme.setMode(ThemeMode::Dark);
         m_main = std::make_unique<MainWindow>(context, language);
         m_main->show();
         if (!QTest::qWaitForWindowExposed(m_main.get()))

@@ -25,6 +25,8 @@ QString OriginChip::words(Origin origin)
     switch (origin) {
     case Origin::Simulated:
         return tr("Simulated data");
+    case Origin::Device:
+        return tr("Real device");
     case Origin::Real:
         return tr("Real log");
     case Origin::None:
@@ -49,13 +51,19 @@ QSize OriginChip::sizeHint() const
             std::max(kChipHeight, metrics.height() + 2)};
 }
 
+static QString iconOf(Origin origin)
+{
+    return origin == Origin::Simulated ? QStringLiteral("sim")
+           : origin == Origin::Device  ? QStringLiteral("usb")
+                                       : QStringLiteral("file");
+}
+
 void OriginChip::paintEvent(QPaintEvent *)
 {
     const Palette &look = lookOf(palette());
     QPainter painter(this);
     paintBox(painter, rect(), {look.base, look.border});
-    const QString icon = m_origin == Origin::Simulated ? QStringLiteral("sim") : QStringLiteral("file");
-    paintIcon(painter, QRect(kMargin, (height() - kSmallIcon) / 2, kSmallIcon, kSmallIcon), icon,
+    paintIcon(painter, QRect(kMargin, (height() - kSmallIcon) / 2, kSmallIcon, kSmallIcon), iconOf(m_origin),
               look.mutedText);
     painter.setFont(noteFont());
     painter.setPen(look.mutedText);

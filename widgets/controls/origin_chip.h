@@ -1,4 +1,4 @@
-// Says beside a title where its data come from: simulated, or a real log.
+// Says beside a title where its data come from: simulated, a device that is plugged in, or a real log.
 #pragma once
 
 #include <QWidget>
@@ -9,6 +9,7 @@ enum class Origin
 {
     None, // no data: the chip is not shown
     Simulated,
+    Device,
     Real
 };
 
@@ -21,7 +22,7 @@ public:
 
     void setOrigin(Origin origin);
     Origin origin() const { return m_origin; }
-    static QString words(Origin origin); // "Simulated data", "Real log"
+    static QString words(Origin origin); // "Simulated data", "Real device", "Real log"
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }

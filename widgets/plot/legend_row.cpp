@@ -1,6 +1,7 @@
 #include "widgets/plot/legend_row.h"
 
 #include <QPainter>
+#include <QResizeEvent>
 #include <QSizePolicy>
 
 namespace driftbench {
@@ -30,6 +31,14 @@ QSize LegendRow::sizeHint() const
 QSize LegendRow::minimumSizeHint() const
 {
     return {0, m_legend.heightFor(std::max(width(), 1))};
+}
+
+// Another width may mean another number of rows.
+void LegendRow::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    if (event->oldSize().width() != width())
+        updateGeometry();
 }
 
 void LegendRow::paintEvent(QPaintEvent *)

@@ -1,6 +1,7 @@
 #include "widgets/plot/panel_notes.h"
 
 #include "widgets/plot/label_places.h"
+#include "widgets/plot/plot_style.h"
 #include "widgets/style/fonts.h"
 
 #include <algorithm>
@@ -11,7 +12,6 @@ namespace driftbench {
 static constexpr int kLeadLength = 20;
 static constexpr int kLeadGap = 4;
 static constexpr int kNameHeight = 22;
-static constexpr int kPanelGap = 8;
 static constexpr double kLabelDistance = 14.0;
 
 PanelNotes::PanelNotes(QCPAxisRect *rect, const Palette &palette)

@@ -42,6 +42,7 @@ static void styleAxis(QCPAxis &axis, const Palette &palette)
     axis.setLabelColor(palette.mutedText);
     axis.setTickLabelPadding(4);
     axis.setLabelPadding(3);
+    axis.setPadding(0);
     axis.grid()->setPen(QPen(palette.grid, 1.0, Qt::SolidLine));
     axis.grid()->setSubGridVisible(false);
     axis.grid()->setZeroLinePen(Qt::NoPen);
@@ -50,6 +51,7 @@ static void styleAxis(QCPAxis &axis, const Palette &palette)
 
 void applyPlotStyle(QCPAxisRect &rect, const Palette &palette)
 {
+    rect.setMinimumMargins(QMargins(0, kPanelGap, kPanelGap, 0));
     for (QCPAxis *axis : rect.axes()) {
         const bool shown = axis->axisType() == QCPAxis::atLeft || axis->axisType() == QCPAxis::atBottom;
         axis->setVisible(shown);

@@ -14,6 +14,8 @@ class QCustomPlot;
 
 namespace driftbench {
 
+inline constexpr int kPanelGap = 8; // px, right of and above a panel that nothing is written beside
+
 void applyPlotStyle(QCustomPlot &plot, const Palette &palette);
 void followLocale(QCustomPlot &plot); // numbers as the user writes them, after the language has changed too
 void applyPlotStyle(QCPAxisRect &rect, const Palette &palette); // linear axes with plain numbers

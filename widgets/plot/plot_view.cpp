@@ -4,6 +4,7 @@
 #include "widgets/plot/legend_element.h"
 #include "widgets/plot/plot_interaction.h"
 #include "widgets/plot/plot_style.h"
+#include "widgets/style/theme.h"
 
 #include <QEvent>
 #include <QVBoxLayout>
@@ -12,13 +13,15 @@ namespace driftbench {
 
 static constexpr int kRowSpacing = 8;
 static constexpr int kColumnSpacing = 8;
-static constexpr int kPlotMargin = 12;
+static constexpr int kSideMargin = 12;
+static constexpr int kPlotMargin = 6;
 static constexpr double kFirstColumnStretch = 1.13; // room for the numbers left of the first column
 
 PlotView::PlotView(std::function<QString()> name, const Palette &look, QWidget *parent)
     : QWidget(parent), m_name(std::move(name)), m_look(look), m_plot(new QCustomPlot(this))
 {
     showName();
+    connect(m_plot, &QCustomPlot::afterLayout, this, [this] { m_tickRoom.fit(*m_plot); });
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_plot);
@@ -35,6 +38,8 @@ void PlotView::showName()
 void PlotView::changeEvent(QEvent *event)
 {
     QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange && m_interaction && lookOf(palette()).dark != m_look.dark)
+        setLook(lookOf(palette()));
     if (event->type() != QEvent::LanguageChange)
         return;
     showName();
@@ -54,6 +59,8 @@ PlotInteraction &PlotView::enableInteraction()
     if (!m_interaction) {
         m_interaction = new PlotInteraction(m_plot, m_look);
         m_interaction->rememberHome();
+        if (lookOf(palette()).dark != m_look.dark)
+            setLook(lookOf(palette()));
     }
     return *m_interaction;
 }
@@ -86,9 +93,10 @@ void PlotView::rebuild()
     const bool moved = m_interaction && m_interaction->isMoved();
     const auto before = moved ? m_interaction->view() : PlotInteraction::View{};
     clearPlot();
+    m_tickRoom.forget();
     m_legend.clear();
     applyPlotStyle(*m_plot, m_look);
-    m_plot->plotLayout()->setMargins(QMargins(kPlotMargin, kPlotMargin, kPlotMargin, kPlotMargin));
+    m_plot->plotLayout()->setMargins(QMargins(kSideMargin, kPlotMargin, kSideMargin, kPlotMargin));
     m_plot->plotLayout()->setRowSpacing(kRowSpacing);
     m_empty = false;
     build();
@@ -111,7 +119,7 @@ void PlotView::showEmpty(const QString &headline, const QString &sentence)
 void PlotView::addLegend(std::vector<LegendEntry> entries)
 {
     QCPLayoutGrid *rows = m_plot->plotLayout();
-    if (rows->elementCount() == 0 && !m_origin.isEmpty())
+    if (m_legendInside && rows->elementCount() == 0 && !m_origin.isEmpty())
         entries.push_back({LegendEntry::Kind::Heading, m_origin, QPen(Qt::NoPen), {}});
     m_legend.insert(m_legend.end(), entries.begin(), entries.end());
     if (m_legendInside)

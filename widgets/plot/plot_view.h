@@ -6,6 +6,7 @@
 #pragma once
 
 #include "widgets/plot/legend_painter.h"
+#include "widgets/plot/tick_room.h"
 #include "widgets/style/palette.h"
 
 #include <QWidget>
@@ -32,11 +33,12 @@ public:
     const Palette &look() const { return m_look; }
     void setLook(const Palette &look);
 
-    // Where the data come from, where that must be said: "Simulated data". Stands in the legend.
+    // Where the data come from, where that must be said: "Simulated data". Stands in the legend of a picture;
+    // in the window the head of the page says it.
     void setOrigin(const QString &origin);
 
     // Mouse and keys, for views in the window; pictures need none. A view that the user has moved stays where
-    // it is when new data of the same kind come.
+    // it is when new data of the same kind come. In the window a view follows light and dark.
     PlotInteraction &enableInteraction();
     PlotInteraction *interaction() const { return m_interaction; }
 
@@ -83,6 +85,7 @@ private:
     QString m_origin;
     bool m_empty = true;
     bool m_sharedValues = false; // of the panels being added
+    TickRoom m_tickRoom;
 };
 
 } // namespace driftbench

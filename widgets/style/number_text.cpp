@@ -37,7 +37,7 @@ int decimalsForThreeFigures(double value, int most)
     return std::clamp(2 - static_cast<int>(std::floor(std::log10(size))), 0, most);
 }
 
-static QString raised(int exponent)
+QString raisedText(int exponent)
 {
     static const QString kDigits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
     QString text;
@@ -54,7 +54,7 @@ QString deviationText(double deviationDps)
 QString decadeText(int exponent, const QLocale &locale)
 {
     if (exponent < -3 || exponent > 3)
-        return QStringLiteral("10") + raised(exponent);
+        return QStringLiteral("10") + raisedText(exponent);
     return numberText(std::pow(10.0, exponent), std::max(0, -exponent), locale);
 }
 
@@ -68,7 +68,7 @@ QString powerText(double value, int decimals, const QLocale &locale)
         mantissa /= 10.0;
         ++exponent;
     }
-    return numberText(mantissa, decimals, locale) + QStringLiteral("×10") + raised(exponent);
+    return numberText(mantissa, decimals, locale) + QStringLiteral("×10") + raisedText(exponent);
 }
 
 QString hourMinuteText(double hours)

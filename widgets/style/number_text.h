@@ -22,6 +22,8 @@ int decimalsForThreeFigures(double value, int most = 4);
 // An Allan deviation: two figures that count, at least two decimals.
 QString deviationText(double deviationDps);
 
+QString raisedText(int exponent); // "⁻²⁸"
+
 // A power of ten as an axis labels it: 0.001 to 1 000 in full, beyond as 10 with a raised exponent.
 QString decadeText(int exponent, const QLocale &locale = QLocale());
 

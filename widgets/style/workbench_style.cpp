@@ -21,6 +21,7 @@ namespace driftbench {
 static constexpr int kIndicator = 14;
 static constexpr int kArrowColumn = 18; // of a spin box
 static constexpr int kChevronColumn = 24;
+static constexpr int kFieldMargin = 5; // and the two px of QLineEdit itself
 
 static ControlState stateOf(const QStyleOption &option, const QWidget *widget)
 {
@@ -257,7 +258,7 @@ static QRect comboPart(const QRect &rect, QStyle::SubControl part)
 {
     switch (part) {
     case QStyle::SC_ComboBoxEditField:
-        return rect.adjusted(2, 1, -kChevronColumn, -1);
+        return rect.adjusted(6, 1, -kChevronColumn, -1);
     case QStyle::SC_ComboBoxArrow:
         return {rect.right() - kChevronColumn, rect.top(), kChevronColumn, rect.height()};
     default:
@@ -303,6 +304,10 @@ QRect WorkbenchStyle::subElementRect(SubElement element, const QStyleOption *opt
 {
     if (element == SE_ProgressBarGroove || element == SE_ProgressBarContents)
         return option->rect;
+    // The text of a field stands as far in as that of a combo box; a spin box sees to its own.
+    if (element == SE_LineEditContents && widget &&
+        !qobject_cast<const QAbstractSpinBox *>(widget->parentWidget()))
+        return option->rect.adjusted(kFieldMargin, 1, -kFieldMargin, -1);
     if (element == SE_CheckBoxFocusRect || element == SE_RadioButtonFocusRect)
         return option->rect;
     return QProxyStyle::subElementRect(element, option, widget);
@@ -330,7 +335,7 @@ QSize WorkbenchStyle::sizeFromContents(ContentsType type, const QStyleOption *op
     case CT_SpinBox:
         return {size.width() + 8, field};
     case CT_ComboBox:
-        return {size.width() + kChevronColumn + 12, field};
+        return {size.width() + kChevronColumn + 16, field};
     case CT_CheckBox:
     case CT_RadioButton: {
         const QSize usual = QProxyStyle::sizeFromContents(type, option, size, widget);
@@ -373,6 +378,8 @@ int WorkbenchStyle::pixelMetric(PixelMetric metric, const QStyleOption *option, 
         return 1;
     case PM_HeaderMargin:
         return 8;
+    case PM_FocusFrameHMargin:
+        return 7; // one less than the margin of an item's text
     case PM_MenuBarPanelWidth:
     case PM_MenuBarItemSpacing:
     case PM_MenuBarVMargin:

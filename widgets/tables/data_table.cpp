@@ -15,7 +15,7 @@
 
 namespace driftbench {
 
-static constexpr int kRowHeight = 24;
+static constexpr int kLeastColumn = 40;  // px, when there is no room for all
 static constexpr int kRowsMeasured = 60; // of a long table, for the widths of its columns
 
 namespace {
@@ -43,20 +43,10 @@ DataTable::DataTable(const QString &accessibleName, QWidget *parent)
     : QTableView(parent), m_proxy(new Sorted(this))
 {
     setAccessibleName(accessibleName);
-    setHorizontalHeader(new TableHead(this));
+    dressTable(*this);
     setItemDelegate(new TableCell(this));
-    verticalHeader()->hide();
-    setRowHeight(kRowHeight);
-    setShowGrid(false);
-    setFrameShape(QFrame::NoFrame);
-    setWordWrap(false);
     setSelectionMode(QAbstractItemView::ExtendedSelection);
     setEditTriggers(QAbstractItemView::NoEditTriggers);
-    setTabKeyNavigation(false);
-    setCornerButtonEnabled(false);
-    setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-    setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-    horizontalHeader()->setSectionsClickable(false);
     connect(this, &QTableView::clicked, this,
             [this](const QModelIndex &index) { emit rowActivated(toSource(index).row()); });
 }
@@ -82,16 +72,22 @@ void DataTable::setSortable(bool sortable)
     horizontalHeader()->setSortIndicator(-1, Qt::AscendingOrder);
 }
 
-void DataTable::setRowHeight(int px)
-{
-    verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    verticalHeader()->setMinimumSectionSize(px);
-    verticalHeader()->setDefaultSectionSize(std::max(px, QFontMetrics(bodyFont()).height() + 2));
-}
-
 void DataTable::setStretchColumn(int column)
 {
     m_stretch = column;
+    fitColumns();
+}
+
+void DataTable::setYieldingColumns(std::vector<int> columns)
+{
+    m_yielding = std::move(columns);
+    fitColumns();
+}
+
+void DataTable::setKeptInView(bool kept)
+{
+    m_keptInView = kept;
+    setHorizontalScrollBarPolicy(kept ? Qt::ScrollBarAlwaysOff : Qt::ScrollBarAsNeeded);
     fitColumns();
 }
 
@@ -116,21 +112,60 @@ std::vector<int> DataTable::wantedWidths() const
     return widths;
 }
 
+// Hidden columns have no width afterwards.
+void DataTable::yieldColumns(std::vector<int> &widths)
+{
+    const bool full = std::accumulate(widths.begin(), widths.end(), 0) > viewport()->width();
+    for (const int column : m_yielding) {
+        setColumnHidden(column, full);
+        if (full)
+            widths[static_cast<std::size_t>(column)] = 0;
+    }
+}
+
+// The widest are cut to one width, until all fit.
+static void cutToFit(std::vector<int> &widths, int room)
+{
+    int widest = *std::max_element(widths.begin(), widths.end());
+    while (std::accumulate(widths.begin(), widths.end(), 0) > room && widest > kLeastColumn) {
+        --widest;
+        for (int &width : widths)
+            width = std::min(width, widest);
+    }
+}
+
 void DataTable::fitColumns()
 {
     if (m_proxy->columnCount() == 0)
         return;
     std::vector<int> widths = wantedWidths();
+    yieldColumns(widths);
+    if (m_keptInView)
+        cutToFit(widths, viewport()->width());
     const int spare = viewport()->width() - std::accumulate(widths.begin(), widths.end(), 0);
     if (spare > 0 && m_stretch >= 0 && m_stretch < static_cast<int>(widths.size())) {
         widths[static_cast<std::size_t>(m_stretch)] += spare;
     } else if (spare > 0) {
-        const int columns = static_cast<int>(widths.size());
-        for (int i = 0; i < columns; ++i)
-            widths[static_cast<std::size_t>(i)] += spare * (i + 1) / columns - spare * i / columns;
+        const auto columns =
+            static_cast<int>(widths.size()) - static_cast<int>(std::count(widths.begin(), widths.end(), 0));
+        int place = 0;
+        for (int &width : widths) {
+            if (width == 0)
+                continue;
+            width += spare * (place + 1) / columns - spare * place / columns;
+            ++place;
+        }
     }
-    for (std::size_t i = 0; i < widths.size(); ++i)
-        setColumnWidth(static_cast<int>(i), widths[i]);
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+        if (widths[i] > 0)
+            setColumnWidth(static_cast<int>(i), widths[i]);
+    }
+    setSpans();
+    horizontalHeader()->setFixedHeight(static_cast<TableHead *>(horizontalHeader())->sizeHint().height());
+}
+
+void DataTable::setSpans()
+{
     clearSpans();
     const int spannedRows = m_proxy->rowCount() <= kRowsMeasured ? m_proxy->rowCount() : 0;
     for (int row = 0; row < spannedRows; ++row) {
@@ -140,7 +175,6 @@ void DataTable::fitColumns()
                 setSpan(row, column, 1, span);
         }
     }
-    horizontalHeader()->setFixedHeight(static_cast<TableHead *>(horizontalHeader())->sizeHint().height());
 }
 
 int DataTable::heightOfRows(int rows) const

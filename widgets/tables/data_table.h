@@ -21,9 +21,12 @@ public:
 
     void setTableModel(QAbstractItemModel *model); // not owned
     void setSortable(bool sortable);
-    void setRowHeight(int px);
     // Each column as wide as its widest text, at least; the rest goes to the column named, else to all.
     void setStretchColumn(int column);
+    // Left out, all together, where there is no room for every column; copies have them.
+    void setYieldingColumns(std::vector<int> columns);
+    // Never wider than the view: the widest columns give way, and what is cut is whole in a tooltip.
+    void setKeptInView(bool kept);
     void fitColumns();
     QModelIndex toSource(const QModelIndex &shown) const;
 
@@ -42,9 +45,13 @@ protected:
 
 private:
     std::vector<int> wantedWidths() const;
+    void yieldColumns(std::vector<int> &widths);
+    void setSpans();
 
     QSortFilterProxyModel *m_proxy;
     int m_stretch = -1;
+    std::vector<int> m_yielding;
+    bool m_keptInView = false;
 };
 
 } // namespace driftbench

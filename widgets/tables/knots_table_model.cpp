@@ -14,6 +14,14 @@ void KnotsTableModel::setData(std::shared_ptr<const KnotsTableData> shown)
     endResetModel();
 }
 
+std::vector<int> KnotsTableModel::codeColumns()
+{
+    std::vector<int> columns;
+    for (int axis = 0; axis < kAxisCount; ++axis)
+        columns.push_back(Code + axis);
+    return columns;
+}
+
 int KnotsTableModel::rowCount(const QModelIndex &parent) const
 {
     return parent.isValid() || !m_data ? 0 : static_cast<int>(m_data->table.size());

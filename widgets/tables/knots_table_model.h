@@ -27,6 +27,8 @@ public:
 
     void setData(std::shared_ptr<const KnotsTableData> shown); // null: empty
 
+    static std::vector<int> codeColumns(); // what the device holds; of use beside the rates only
+
     int rowCount(const QModelIndex &parent = {}) const override;
     int columnCount(const QModelIndex &parent = {}) const override;
     QVariant data(const QModelIndex &index, int role) const override;

@@ -7,6 +7,8 @@
 
 namespace driftbench {
 
+static constexpr double kNoDecimalsFrom = 1000.0; // percent
+
 QString trainingTimeText(double seconds)
 {
     if (!std::isfinite(seconds))
@@ -87,7 +89,9 @@ QString ModelsTableModel::textOf(const ModelLine &line, int column) const
     const double value = valueOf(line, column);
     if (!std::isfinite(value))
         return {};
-    return numberText(value, column >= Excess ? 1 : 4);
+    if (column >= Excess)
+        return numberText(value, std::abs(value) < kNoDecimalsFrom ? 1 : 0);
+    return numberText(value, 4);
 }
 
 QVariant ModelsTableModel::floorData(int column, int role) const

@@ -6,7 +6,10 @@
 #include "widgets/style/theme.h"
 #include "widgets/tables/table_text.h"
 
+#include <QHelpEvent>
 #include <QPainter>
+#include <QTableView>
+#include <QToolTip>
 
 namespace driftbench {
 
@@ -95,6 +98,16 @@ int TableCell::widthOf(const QModelIndex &index)
     return width;
 }
 
+bool TableCell::helpEvent(QHelpEvent *event, QAbstractItemView *view, const QStyleOptionViewItem &option,
+                          const QModelIndex &index)
+{
+    const bool cut = index.isValid() && widthOf(index) > option.rect.width();
+    if (event->type() != QEvent::ToolTip || !cut || index.data(Qt::ToolTipRole).isValid())
+        return QStyledItemDelegate::helpEvent(event, view, option, index);
+    QToolTip::showText(event->globalPos(), index.data().toString(), view);
+    return true;
+}
+
 static void paintBar(QPainter &painter, const QRect &place, double share, const Palette &look)
 {
     const QRect bar(place.right() - kBarWidth + 1, place.center().y() - kBarHeight / 2, kBarWidth,
@@ -148,6 +161,24 @@ void TableCell::paint(QPainter *painter, const QStyleOptionViewItem &option, con
         painter->drawRect(option.rect.adjusted(0, 0, -1, -1));
     }
     painter->restore();
+}
+
+void dressTable(QTableView &view, int rowHeight)
+{
+    view.setHorizontalHeader(new TableHead(&view));
+    view.horizontalHeader()->setSectionsClickable(false);
+    QHeaderView &rows = *view.verticalHeader();
+    rows.hide();
+    rows.setSectionResizeMode(QHeaderView::Fixed);
+    rows.setMinimumSectionSize(rowHeight); // before the usual height, which does not go below it
+    rows.setDefaultSectionSize(std::max(rowHeight, QFontMetrics(bodyFont()).height() + 2));
+    view.setShowGrid(false);
+    view.setFrameShape(QFrame::NoFrame);
+    view.setWordWrap(false);
+    view.setTabKeyNavigation(false);
+    view.setCornerButtonEnabled(false);
+    view.setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    view.setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
 }
 
 } // namespace driftbench

@@ -1,8 +1,10 @@
-// How heads and cells of a DataTable are painted. Private to data_table.cpp.
+// How tables look: the head, the cells of a DataTable, and what every table view has in common.
 #pragma once
 
 #include <QHeaderView>
 #include <QStyledItemDelegate>
+
+class QTableView;
 
 namespace driftbench {
 
@@ -31,6 +33,13 @@ public:
 
     void paint(QPainter *painter, const QStyleOptionViewItem &option,
                const QModelIndex &index) const override;
+    // A text that is cut stands whole in a tooltip.
+    bool helpEvent(QHelpEvent *event, QAbstractItemView *view, const QStyleOptionViewItem &option,
+                   const QModelIndex &index) override;
 };
+
+// Head in 9 pt, rows of one height, no lines between columns. Before anything is set on the horizontal
+// header.
+void dressTable(QTableView &view, int rowHeight = 24);
 
 } // namespace driftbench

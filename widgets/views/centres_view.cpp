@@ -161,8 +161,11 @@ void CentresView::buildCurves()
         drawCurve(rect, axis);
         rect.axis(QCPAxis::atBottom)->setLabel(tr("T (°C)"));
         rect.axis(QCPAxis::atLeft)->setLabel(tr("TDE less line (dps)"));
-        if (axis > 0)
+        if (axis > 0) {
             hideAxisText(*rect.axis(QCPAxis::atLeft));
+            rect.axis(QCPAxis::atLeft)
+                ->setTicker(plot().axisRects().front()->axis(QCPAxis::atLeft)->ticker());
+        }
         (new PanelNotes(&rect, look()))->setName(QString::fromUtf8(kAxisNames[a].data()));
     }
 }

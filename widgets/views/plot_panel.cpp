@@ -4,9 +4,7 @@
 #include "widgets/plot/legend_row.h"
 #include "widgets/plot/plot_interaction.h"
 #include "widgets/plot/plot_view.h"
-#include "widgets/style/theme.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
@@ -35,7 +33,6 @@ PlotPanel::PlotPanel(PlotView *view, QWidget *parent)
     view->setMinimumHeight(96);
     view->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     connect(view, &PlotView::rebuilt, this, &PlotPanel::showLegend);
-    view->setLook(lookOf(palette()));
 }
 
 void PlotPanel::addBeforeLegend(QWidget *control)
@@ -51,13 +48,6 @@ void PlotPanel::addAfterLegend(QWidget *control)
 void PlotPanel::showLegend()
 {
     m_legend->setEntries(m_view->legend(), m_view->look());
-}
-
-void PlotPanel::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange && lookOf(palette()).dark != m_view->look().dark)
-        m_view->setLook(lookOf(palette()));
 }
 
 } // namespace driftbench

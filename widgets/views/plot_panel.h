@@ -21,8 +21,6 @@ public:
     void addAfterLegend(QWidget *control);
 
 protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     void showLegend();
 

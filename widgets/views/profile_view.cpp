@@ -2,6 +2,7 @@
 
 #include "widgets/plot/plot_style.h"
 #include "widgets/plot/series.h"
+#include "widgets/plot/tickers.h"
 #include "widgets/style/fonts.h"
 #include "widgets/style/number_text.h"
 
@@ -77,6 +78,7 @@ void ProfileView::build()
     }
     QCPAxis &bottom = *rect.axis(QCPAxis::atBottom);
     QCPAxis &left = *rect.axis(QCPAxis::atLeft);
+    left.setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker(6)));
     applyTimeScale(bottom, scale, tr("Time since start"));
     bottom.setRange(0.0, durationS / scale.secondsPerUnit);
     left.setLabel(tr("Set point (°C)"));

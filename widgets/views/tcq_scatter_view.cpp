@@ -211,7 +211,8 @@ void TcqScatterView::drawSelected(QCPAxisRect &rect, int quantity, bool residual
             tr("Selected"));
 }
 
-// A column shares its quantity, a row its values.
+// A column shares its quantity, a row its values; the axes without numbers have the ticks of the one with
+// them.
 void TcqScatterView::linkPanels() const
 {
     const auto panels = plot().axisRects();
@@ -223,6 +224,10 @@ void TcqScatterView::linkPanels() const
             if (i / 3 == line)
                 values.append(panels[i]->axis(QCPAxis::atLeft));
         }
+        for (QCPAxis *key : keys)
+            key->setTicker(keys.last()->ticker());
+        for (QCPAxis *value : values)
+            value->setTicker(values.first()->ticker());
         linkAxes(keys);
         linkAxes(values);
     }

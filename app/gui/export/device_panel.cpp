@@ -29,7 +29,6 @@
 namespace driftbench {
 
 static constexpr int kFactRows = 6;
-static constexpr int kDifferenceWidth = 210;
 
 DevicePanel::DevicePanel(Workbench &bench, QAction *restore, QAction *cancel, QAction *look,
                          QAction *toSource, QWidget *parent)
@@ -57,7 +56,7 @@ DevicePanel::DevicePanel(Workbench &bench, QAction *restore, QAction *cancel, QA
     auto *deviceRows = new QVBoxLayout(device);
     deviceRows->setContentsMargins(0, 0, 0, 0);
     deviceRows->setSpacing(kGap);
-    deviceRows->addWidget(buildFacts(), 1);
+    deviceRows->addWidget(buildFacts());
     deviceRows->addWidget(buildUpload());
     m_stack->addWidget(device);
     connectJob();
@@ -75,19 +74,19 @@ QWidget *DevicePanel::buildFacts()
     m_pairsModel = new PairsTableModel(this);
     m_pairs->setTableModel(m_pairsModel);
     m_pairs->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_pairs->setKeptInView(true);
     auto *table = new Panel;
     table->setFlush();
     table->rows()->addWidget(m_pairs);
     table->setFixedHeight(m_pairs->heightOfRows(kFactRows) + 8);
-    columns->addWidget(table, 1, Qt::AlignTop);
+    columns->addWidget(table, 2);
     m_difference = new TableDifferenceView;
     m_difference->enableInteraction();
     auto *plot = new Panel;
     plot->setFlush();
     plot->rows()->addWidget(m_difference);
-    plot->setFixedWidth(kDifferenceWidth);
-    m_difference->setMinimumSize(100, 100);
-    columns->addWidget(plot);
+    plot->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored); // as high as the table
+    columns->addWidget(plot, 1);
     return facts;
 }
 
@@ -159,7 +158,7 @@ void DevicePanel::connectJob()
 void DevicePanel::setPreview(std::shared_ptr<const ExportPreview> preview, const TrainedModel *model)
 {
     m_preview = std::move(preview);
-    m_modelName = model != nullptr ? modelTitle(model->name, model).toStdString() : std::string();
+    m_modelName = model != nullptr ? deviceModelName(model->name, model).toStdString() : std::string();
     showFacts();
 }
 

@@ -26,7 +26,7 @@ QString DevicePanel::modelOf(std::uint32_t crc) const
             break;
         for (const ModelRecord &model : *models) {
             if (model.id == *upload.model)
-                return modelLabel(model.name);
+                return deviceModelName(model.name);
         }
     }
     return tr("not known here");
@@ -44,14 +44,14 @@ void DevicePanel::showFacts()
     std::vector<FactPair> pairs{{tr("Bank, generation"), m_tables ? tr("none") : tr("not known"), none},
                                 {tr("Model"), none, none},
                                 {tr("Range, rows"), none, none},
-                                {tr("Kind, thermometer"), none, none},
+                                {tr("Kind"), none, none},
                                 {tr("Sensor"), none, none},
                                 {tr("CRC-32"), none, none}};
     std::shared_ptr<const CompensationTable> current, fresh;
     const auto fill = [&pairs](const DeviceImage &image, std::uint32_t crc, QString FactPair::*side) {
         pairs[2].*side = rangeText(image.table);
         pairs[3].*side = tr("%1, %2").arg(kindText(image.kind()), thermometerText(image.thermometer));
-        pairs[4].*side = QString::fromStdString(image.table.provenance.sensor.text());
+        pairs[4].*side = sensorText(image.table.provenance.sensor);
         pairs[5].*side = crcText(crc);
     };
     if (m_tables && m_tables->image) {

@@ -1,7 +1,10 @@
 #include "app/gui/export/device_words.h"
 
 #include "app/gui/export/device_panel.h"
+#include "app/gui/train/model_words.h"
 #include "widgets/style/number_text.h"
+
+#include <cmath>
 
 namespace driftbench {
 
@@ -31,10 +34,23 @@ QString checkText(const TableUploadReport &report)
         check.samples);
 }
 
+QString deviceModelName(std::string_view name, const TrainedModel *model)
+{
+    return name == "auto" ? DevicePanel::tr("recommended") : modelTitle(name, model);
+}
+
+QString sensorText(const SensorIdentity &sensor)
+{
+    return QString::fromStdString(sensor.serial.empty() ? sensor.text() : sensor.serial);
+}
+
 QString rangeText(const CompensationTable &table)
 {
-    return DevicePanel::tr("%1 to %2 °C, %3 rows")
-        .arg(numberText(table.firstTemperatureC(), 1), numberText(table.lastTemperatureC(), 1))
+    const auto text = [](double temperatureC) {
+        return numberText(temperatureC, std::abs(temperatureC - std::round(temperatureC)) < 0.05 ? 0 : 1);
+    };
+    return DevicePanel::tr("%1 to %2 °C, %3")
+        .arg(text(table.firstTemperatureC()), text(table.lastTemperatureC()))
         .arg(table.size());
 }
 

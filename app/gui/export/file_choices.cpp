@@ -19,6 +19,7 @@
 namespace driftbench {
 
 static constexpr int kImage = 5;
+static constexpr double kShownLossMdps = 0.05; // with one decimal
 static constexpr int kNameWidth = 116;
 
 FileChoices::FileChoices(QWidget *parent)
@@ -151,12 +152,14 @@ void FileChoices::note(int file, const QString &text, int tone)
 void FileChoices::noteAutopilot(const FilePreview &file)
 {
     const int row = static_cast<int>(file.format);
+    if (file.refusal && file.format == ExportFormat::Px4 && !m_choice.options.deviceId)
+        return note(row, tr("needs the gyro's device id, below"), int(Tone::Caution));
     if (file.refusal)
         return note(row, QString::fromStdString(file.refusal->message), int(Tone::Bad));
     Eigen::Index axis = 0;
     const double loss = m_preview->cubic.largestLossDps.maxCoeff(&axis);
     const QString name = QString::fromUtf8(kAxisNames[static_cast<std::size_t>(axis)].data());
-    if (!(loss > 0.0))
+    if (!(kMdpsPerDps * loss >= kShownLossMdps))
         return note(row, tr("cubic, loses nothing"), int(Tone::Plain));
     note(row,
          tr("cubic only: up to %1 mdps off on %2, %3 rms")
@@ -190,7 +193,10 @@ void FileChoices::showNotes()
                  tr("float and fixed point, %1 bytes").arg(numberText(double(file.exported.text.size()), 0)),
                  int(Tone::Plain));
     }
-    if (m_preview->imageRefusal)
+    const SensorIdentity &sensor = m_preview->table->table.provenance.sensor;
+    if (m_preview->imageRefusal && (sensor.model.empty() || sensor.serial.empty()))
+        note(kImage, tr("needs the sensor's name: state it when you open the log"), int(Tone::Caution));
+    else if (m_preview->imageRefusal)
         note(kImage, QString::fromStdString(m_preview->imageRefusal->message), int(Tone::Bad));
     else
         note(kImage, tr("one bank, %1 bytes").arg(numberText(double(m_preview->image.size()), 0)),

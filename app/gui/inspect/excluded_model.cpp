@@ -7,14 +7,6 @@
 
 namespace driftbench {
 
-enum Column
-{
-    kTime,
-    kSamples,
-    kWhy,
-    kColumns
-};
-
 static const char *const kReasons[] = {
     QT_TRANSLATE_NOOP("driftbench::ExcludedModel", "non-finite"),
     QT_TRANSLATE_NOOP("driftbench::ExcludedModel", "bad time"),

@@ -14,6 +14,14 @@ class ExcludedModel : public QAbstractTableModel
     Q_OBJECT
 
 public:
+    enum Column
+    {
+        kTime,
+        kSamples,
+        kWhy,
+        kColumns
+    };
+
     using QAbstractTableModel::QAbstractTableModel;
 
     void setData(std::shared_ptr<const InspectionData> seen);

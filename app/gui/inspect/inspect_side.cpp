@@ -6,6 +6,7 @@
 #include "widgets/plot/plot_style.h"
 #include "widgets/style/control_paint.h"
 #include "widgets/style/number_text.h"
+#include "widgets/tables/table_paint.h"
 
 #include <QHeaderView>
 #include <QTableView>
@@ -53,25 +54,22 @@ InspectSide::InspectSide(QAction *showFindings, QWidget *parent)
     rows->addWidget(inPanel(m_axes));
     rows->addWidget(m_figureHead);
     rows->addWidget(m_figures);
+    m_coverageHead->addControl(new ActionButton(showFindings, ButtonSize::Small));
     rows->addWidget(m_coverageHead);
     rows->addWidget(m_coverage);
     rows->addWidget(m_excludedHead);
     rows->addWidget(inPanel(m_table), 1);
-    rows->addWidget(new ActionButton(showFindings, ButtonSize::Small), 0, Qt::AlignLeft);
     for (int row = 0; row < 4; ++row)
         m_figures->addRow({});
     for (int row = 0; row < 2; ++row)
         m_coverage->addRow({});
+    dressTable(*m_table, kRowHeight);
     m_table->setModel(m_excluded);
-    m_table->setFrameShape(QFrame::NoFrame);
-    m_table->setShowGrid(false);
-    m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setMinimumSectionSize(kRowHeight);
-    m_table->verticalHeader()->setDefaultSectionSize(kRowHeight);
-    m_table->horizontalHeader()->setStretchLastSection(true);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setSectionResizeMode(ExcludedModel::kWhy, QHeaderView::Stretch);
+    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_table->setTabKeyNavigation(false);
     m_table->setMinimumHeight(3 * kRowHeight);
 }
 
@@ -97,7 +95,6 @@ void InspectSide::showSeen(const std::shared_ptr<const InspectionData> &seen, in
     if (seen != m_seen || !seen) {
         m_seen = seen;
         m_excluded->setData(seen);
-        m_table->resizeColumnsToContents();
     }
     m_axis = axis;
     m_axes->setCurrentAxis(axis);

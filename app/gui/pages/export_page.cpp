@@ -101,6 +101,7 @@ QWidget *ExportPage::buildLeft()
     m_tableHead->addControl(m_form);
     rows->addWidget(m_tableHead);
     m_knots->setTableModel(m_knotsModel);
+    m_knots->setYieldingColumns(KnotsTableModel::codeColumns());
     m_text->setReadOnly(true);
     m_text->setFrameShape(QFrame::NoFrame);
     m_text->setLineWrapMode(QPlainTextEdit::NoWrap);
@@ -127,7 +128,7 @@ QWidget *ExportPage::buildRight()
     rows->addWidget(errors, 1);
     if (context().workbench != nullptr) {
         m_device = new DevicePanel(*context().workbench, m_restore, m_cancel, m_look, m_toSource);
-        rows->addWidget(m_device, 1);
+        rows->addWidget(m_device);
     }
     return right;
 }

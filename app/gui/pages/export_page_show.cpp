@@ -7,6 +7,7 @@
 #include "app/gui/page_head.h"
 #include "app/gui/train/model_words.h"
 #include "app/gui/workbench.h"
+#include "engine/base/axes.h"
 #include "widgets/controls/section_head.h"
 #include "widgets/style/number_text.h"
 #include "widgets/tables/knots_table_model.h"
@@ -24,9 +25,30 @@ static constexpr qsizetype kMostShownLetters = 400000;
 
 static QString unitText(const FixedPointTable &fixed)
 {
-    return ExportPage::tr("int32, 1 LSB = 2^−%1 dps = %2 µdps")
-        .arg(fixed.fractionBits)
+    return ExportPage::tr("int32, 1 LSB = 2%1 dps = %2 µdps")
+        .arg(raisedText(-fixed.fractionBits))
         .arg(numberText(1e6 * fixed.dpsPerUnit(), 3));
+}
+
+// Of axes that are left out, or written though they have no yes.
+static std::function<BannerContent()> aboutAxes(const std::array<bool, 3> &compensated)
+{
+    QStringList left;
+    for (std::size_t axis = 0; axis < compensated.size(); ++axis) {
+        if (!compensated[axis])
+            left.append(QString::fromUtf8(kAxisNames[axis].data()));
+    }
+    const QString axes = left.join(QStringLiteral(", "));
+    if (left.isEmpty())
+        return bannerOf(
+            BannerKind::Caution, [] { return ExportPage::tr("Axes without a yes are written too."); },
+            [] { return ExportPage::tr("Compare says what that costs on runs held out."); });
+    return bannerOf(
+        BannerKind::Info, [axes] { return ExportPage::tr("No table for %1.").arg(axes); },
+        [] {
+            return ExportPage::tr(
+                "It does not help on runs held out; Compare has the figures. Its values are zero.");
+        });
 }
 
 void ExportPage::showPreview()
@@ -50,18 +72,15 @@ void ExportPage::showPreview()
                        bannerOf(BannerKind::Caution, tr("There is no table to write."),
                                 QString::fromStdString(m_preview->refusal->message)));
     else if (m_preview && !m_preview->notes.empty())
-        banners().post(QString::fromLatin1(kNotes),
-                       bannerOf(BannerKind::Info, QString::fromStdString(m_preview->notes.front()), {}));
+        banners().post(QString::fromLatin1(kNotes), aboutAxes(m_preview->compensated));
     else
         banners().withdraw(QString::fromLatin1(kNotes));
     if (model == nullptr)
         head().setContext(tr("The table for the device"));
     else if (table)
-        head().setContext(
-            tr("%1. Table of %2 rows, %3 °C apart.")
-                .arg(model->name == "auto" ? tr("Recommended models") : modelTitle(model->name, model))
-                .arg(table->table.size())
-                .arg(numberText(table->table.stepC(), 3)));
+        head().setContext(tr("Table of %1 rows, %2 °C apart.")
+                              .arg(table->table.size())
+                              .arg(numberText(table->table.stepC(), 3)));
     else
         head().setContext({});
     showForm();

@@ -86,6 +86,7 @@ void PlanPage::buildActions()
     m_steps = addPageAction({}, {}, [this] { askController(false); });
     m_ramps = addPageAction({}, {}, [this] { askController(true); });
     m_use = addPageAction(QKeySequence(Qt::CTRL | Qt::Key_Return), {}, [this] { use(); });
+    m_use->setShortcuts({QKeySequence(Qt::CTRL | Qt::Key_Return), QKeySequence(Qt::CTRL | Qt::Key_Enter)});
     m_files = new QAction(this);
     setActionIcon(*m_files, QStringLiteral("file"));
     auto *files = new ActionButton(m_files, ButtonSize::Head);
@@ -155,6 +156,8 @@ QString PlanPage::hints() const
 void PlanPage::retranslate()
 {
     head().setTitle(stepName(Step::Plan));
+    m_use->setProperty("shownShortcut",
+                       QKeySequence(Qt::CTRL | Qt::Key_Enter).toString(QKeySequence::NativeText));
     m_use->setText(tr("Use this plan"));
     m_files->setText(tr("Plan file"));
     m_open->setText(tr("Open plan…"));
@@ -226,9 +229,11 @@ void PlanPage::showFigures()
         m_runHead->setNote(note);
     }
     showStillAir();
-    const bool simulated = context().workbench->isSourceSimulated();
-    head().setOrigin(context().workbench->sourceChoice() ? (simulated ? Origin::Simulated : Origin::Real)
-                                                         : Origin::None);
+    const Workbench &bench = *context().workbench;
+    head().setOrigin(bench.isSourceSimulated()   ? Origin::Simulated
+                     : bench.isSourcePluggedIn() ? Origin::Device
+                     : bench.sourceChoice()      ? Origin::Real
+                                                 : Origin::None);
     head().setContext(tr("What the chamber does in each run, and for how long"));
 }
 

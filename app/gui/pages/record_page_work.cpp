@@ -268,7 +268,9 @@ void RecordPage::showContext()
         head().setContext(context().workbench->sourceName());
         return;
     }
-    head().setOrigin(simulated ? Origin::Simulated : Origin::Real);
+    head().setOrigin(simulated                                  ? Origin::Simulated
+                     : context().workbench->isSourcePluggedIn() ? Origin::Device
+                                                                : Origin::Real);
     const QString run = tr("Run %1 of %2").arg(runNumber()).arg(runsWanted());
     if (!m_run->model()) {
         head().setContext(tr("%1, no model yet").arg(run));

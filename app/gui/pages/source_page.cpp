@@ -212,6 +212,7 @@ void SourcePage::chooseRow(int row)
     if (m_list->currentIndex().row() != row)
         m_list->setCurrentIndex(m_bridges->index(row));
     m_form->showDevice(device);
+    m_now->show();
     applyChoice();
 }
 
@@ -224,6 +225,7 @@ void SourcePage::chooseFile(int row)
     m_list->clearSelection();
     m_list->setCurrentIndex({});
     m_form->showFile(m_recent->survey(row));
+    m_now->hide();
     if (!m_bench.acquisition().isRecording())
         m_bench.stopSource();
     m_strips->clear();

@@ -87,6 +87,7 @@ private:
     EmptyState *m_noFiles;
     DropStrip *m_drop;
     SourceForm *m_form;
+    QWidget *m_now = nullptr; // what the source sends; a log sends nothing
     StripView *m_strips = nullptr;
     SectionHead *m_bridgesHead, *m_recentHead, *m_nowHead;
     QAction *m_use, *m_lookAgain, *m_copyLine;

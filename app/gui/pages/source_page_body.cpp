@@ -11,6 +11,7 @@
 #include "widgets/controls/section_head.h"
 #include "widgets/style/control_paint.h"
 #include "widgets/style/theme.h"
+#include "widgets/tables/table_paint.h"
 #include "widgets/views/strip_view.h"
 
 #include <QClipboard>
@@ -26,7 +27,6 @@
 namespace driftbench {
 
 static constexpr int kSideWidth = 296;
-static constexpr int kRowHeight = 24;
 
 void SourcePage::buildActions()
 {
@@ -107,22 +107,14 @@ QWidget *SourcePage::buildLists()
 QWidget *SourcePage::buildTable()
 {
     m_table = new QTableView;
+    dressTable(*m_table);
     m_table->setModel(m_recent);
-    m_table->setFrameShape(QFrame::NoFrame);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setTabKeyNavigation(false);
-    m_table->setWordWrap(false);
-    m_table->setGridStyle(Qt::NoPen);
-    m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setDefaultSectionSize(kRowHeight);
-    m_table->verticalHeader()->setMinimumSectionSize(kRowHeight);
-    m_table->horizontalHeader()->setHighlightSections(false);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setSectionResizeMode(RecentFilesModel::FileColumn, QHeaderView::Stretch);
     m_table->horizontalHeader()->setMinimumSectionSize(64);
-    m_table->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
         const QModelIndexList chosen = m_table->selectionModel()->selectedRows();
         if (!chosen.isEmpty())
@@ -146,14 +138,21 @@ QWidget *SourcePage::buildSide()
     m_form = new SourceForm;
     rows->addWidget(m_form);
     rows->addSpacing(kGap);
+    m_now = new QWidget;
+    QSizePolicy place(QSizePolicy::Ignored, QSizePolicy::Ignored);
+    place.setRetainSizeWhenHidden(true);
+    m_now->setSizePolicy(place);
+    rows->addWidget(m_now, 1);
+    auto *nowRows = new QVBoxLayout(m_now);
+    nowRows->setContentsMargins(0, 0, 0, 0);
+    nowRows->setSpacing(kGap);
     m_nowHead = new SectionHead;
-    rows->addWidget(m_nowHead);
-    rows->addSpacing(kGap);
+    nowRows->addWidget(m_nowHead);
     m_strips = new StripView(lookOf(palette()));
     QWidget *strips = flushPanel(m_strips);
     strips->setMinimumHeight(120);
     strips->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
-    rows->addWidget(strips, 1);
+    nowRows->addWidget(strips, 1);
     connect(m_form, &SourceForm::edited, this, [this] {
         m_apply.start();
         showUse();

@@ -76,11 +76,10 @@ void TrainPage::buildHead()
     m_bar->setRange(0, 1000);
     m_bar->setTextVisible(false);
     m_percent = new TextLabel(TextRole::StrongNote);
-    m_trainButton = new ActionButton(m_train, ButtonSize::Head);
-    m_trainButton->setPrimary(true);
-    m_cancelButton = new ActionButton(m_cancel, ButtonSize::Head);
-    for (QWidget *control :
-         std::initializer_list<QWidget *>{m_stage, m_bar, m_percent, m_cancelButton, m_trainButton})
+    auto *train = new ActionButton(m_train, ButtonSize::Head);
+    train->setPrimary(true);
+    auto *cancel = new ActionButton(m_cancel, ButtonSize::Head);
+    for (QWidget *control : std::initializer_list<QWidget *>{m_stage, m_bar, m_percent, cancel, train})
         head().addControl(control);
 }
 
@@ -98,8 +97,10 @@ QWidget *TrainPage::buildResults()
     splitter->addWidget(new PlotPanel(m_curves));
     rows->addWidget(splitter, 1);
     m_losses->enablePicking();
+    m_models->setLook(lookOf(palette()));
     m_table->setTableModel(m_models);
     m_table->setStretchColumn(0);
+    m_table->setKeptInView(true);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_tablePanel = new Panel;
@@ -197,8 +198,8 @@ void TrainPage::runningChanged(bool running)
     m_stage->setVisible(running);
     m_bar->setVisible(running);
     m_percent->setVisible(running);
-    m_cancelButton->setVisible(running);
-    m_trainButton->setVisible(!running);
+    m_cancel->setVisible(running);
+    m_train->setVisible(!running);
     m_cancel->setEnabled(running);
     m_options->setEnabled(!running);
     showJob();

@@ -74,7 +74,6 @@ private:
     Panel *m_tablePanel;
     ModelsTableModel *m_models;
     QAction *m_train, *m_cancel, *m_toInspect;
-    ActionButton *m_trainButton, *m_cancelButton;
     TextLabel *m_stage, *m_percent;
     QProgressBar *m_bar;
 

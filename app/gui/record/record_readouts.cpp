@@ -85,6 +85,7 @@ RecordReadouts::RecordReadouts(const LiveRun &run, const LiveTraceView &view, QW
         m_link->addRow({});
     m_trendPanel->setFlush();
     m_trendPanel->rows()->addWidget(m_trend);
+    m_trend->setLook(lookOf(palette()));
     m_trendPanel->setMinimumHeight(kTrendHeight);
 
     addBlock(m_progressHead, progress, false);

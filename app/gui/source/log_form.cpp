@@ -1,10 +1,12 @@
 #include "app/gui/source/log_form.h"
 
+#include "engine/exports/device_image_layout.h"
 #include "widgets/controls/form_rows.h"
 #include "widgets/controls/number_field.h"
 
 #include <QComboBox>
 #include <QLineEdit>
+#include <QRegularExpressionValidator>
 #include <QVBoxLayout>
 
 namespace driftbench {
@@ -12,6 +14,8 @@ namespace driftbench {
 static constexpr int kMostInstances = 6;
 static constexpr double kPlaybackSpeeds[] = {1.0, 10.0, 100.0};
 static constexpr double kWhole = -1.0;
+static constexpr int kMostModelLetters = BRIDGE_MODEL_SIZE;
+static constexpr int kMostSerialLetters = BRIDGE_SERIAL_SIZE;
 
 enum Row
 {
@@ -26,7 +30,9 @@ enum Row
     kTemperatureUnit,
     kRateUnit,
     kSensitivity,
-    kReference
+    kReference,
+    kModel,
+    kSerial
 };
 
 template <class Unit>
@@ -47,6 +53,16 @@ static std::optional<Unit> unitOf(const QComboBox &box)
     return static_cast<Unit>(box.currentData().toInt());
 }
 
+// As a device's table takes it.
+static QLineEdit *identityField(int mostLetters)
+{
+    auto *field = new QLineEdit;
+    field->setMaxLength(mostLetters);
+    static const QRegularExpression kLetters(QStringLiteral("[!-~]*"));
+    field->setValidator(new QRegularExpressionValidator(kLetters, field));
+    return field;
+}
+
 LogForm::LogForm(QWidget *parent)
     : ChoiceForm(parent)
     , m_rows(new FormRows(kFormLabelWidth, this))
@@ -60,6 +76,8 @@ LogForm::LogForm(QWidget *parent)
           unitBox({TemperatureUnit::Celsius, TemperatureUnit::Kelvin, TemperatureUnit::Fahrenheit}))
     , m_sensitivity(new NumberField({}, tr("mdps/LSB"), 3, 0.001, 10000.0, 0.25))
     , m_reference(new RateFields)
+    , m_model(identityField(kMostModelLetters))
+    , m_serial(identityField(kMostSerialLetters))
 {
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -80,7 +98,8 @@ LogForm::LogForm(QWidget *parent)
         m_rows->addRow({}, column);
     for (QWidget *field : {static_cast<QWidget *>(m_timeUnit), static_cast<QWidget *>(m_temperatureUnit),
                            static_cast<QWidget *>(m_rateUnit), static_cast<QWidget *>(m_sensitivity),
-                           static_cast<QWidget *>(m_reference)})
+                           static_cast<QWidget *>(m_reference), static_cast<QWidget *>(m_model),
+                           static_cast<QWidget *>(m_serial)})
         m_rows->addRow({}, field);
     connect(m_rateUnit, &QComboBox::currentIndexChanged, this, [this] {
         m_rows->setRowVisible(kSensitivity, unitOf<RateUnit>(*m_rateUnit) == RateUnit::Counts);
@@ -94,7 +113,8 @@ void LogForm::retranslate()
 {
     const QStringList labels{tr("How"),      tr("Gyro in the log"), tr("Time column"), tr("T column"),
                              tr("x column"), tr("y column"),        tr("z column"),    tr("Time unit"),
-                             tr("T unit"),   tr("Rate unit"),       tr("Sensitivity"), tr("Reference rate")};
+                             tr("T unit"),   tr("Rate unit"),       tr("Sensitivity"), tr("Reference rate"),
+                             tr("Sensor"),   tr("Serial number")};
     for (int row = 0; row < labels.size(); ++row)
         m_rows->setLabel(row, labels[row]);
     m_how->setAccessibleName(labels[kHow]);
@@ -107,6 +127,13 @@ void LogForm::retranslate()
         m_columns[i]->setAccessibleName(labels[kTimeColumn + static_cast<int>(i)]);
         m_columns[i]->setPlaceholderText(tr("found by its name"));
         m_columns[i]->setToolTip(tr("The name in the header, or the number of the column."));
+    }
+    m_model->setAccessibleName(labels[kModel]);
+    m_serial->setAccessibleName(labels[kSerial]);
+    for (QLineEdit *field : {m_model, m_serial}) {
+        field->setPlaceholderText(tr("as the log says"));
+        field->setToolTip(
+            tr("Whose log it is: a device takes a table only for itself, and the report names it."));
     }
     m_how->setItemText(0, tr("Read in whole"));
     m_how->setItemText(1, tr("Play back"));
@@ -161,6 +188,7 @@ LoadInput LogForm::loadInput() const
     LoadInput input;
     input.read = readOptions();
     input.referenceRateDps = m_reference->rateDps();
+    input.sensor = {m_model->text().toStdString(), m_serial->text().toStdString()};
     return input;
 }
 

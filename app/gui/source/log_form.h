@@ -1,4 +1,5 @@
-// A log: which of its gyros, which columns, in which units, at which reference rate.
+// A log: which of its gyros, which columns, in which units, at which reference rate; whose it is, where the
+// log does not say.
 #pragma once
 
 #include "app/gui/source/choice_form.h"
@@ -35,6 +36,7 @@ private:
     std::array<QLineEdit *, kCsvQuantityCount> m_columns;
     NumberField *m_sensitivity;
     RateFields *m_reference;
+    QLineEdit *m_model, *m_serial;
 };
 
 } // namespace driftbench

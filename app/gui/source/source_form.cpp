@@ -62,7 +62,7 @@ SourceForm::SourceForm(QWidget *parent)
 void SourceForm::showDevice(const DeviceEntry &device)
 {
     m_head->setTitle(bridgeName(device));
-    m_chip->setOrigin(device.kind == DeviceKind::SimulatedBridge ? Origin::Simulated : Origin::None);
+    m_chip->setOrigin(device.kind == DeviceKind::SimulatedBridge ? Origin::Simulated : Origin::Device);
     switch (device.kind) {
     case DeviceKind::SimulatedBridge:
         m_stack->setCurrentWidget(m_simulated);

@@ -136,9 +136,9 @@ static TourStep inspectStep()
     TourStep step{Step::Inspect};
     step.what = [] { return tourText(QT_TRANSLATE_NOOP("SimulatedTour", "Look at the drift.")); };
     step.why = [] {
-        return tourText(QT_TRANSLATE_NOOP("SimulatedTour",
-                                          "Each dot is a sample: its error against the temperature. Where "
-                                          "they lie on one curve, a table can remove it."));
+        return tourText(QT_TRANSLATE_NOOP(
+            "SimulatedTour",
+            "Each sample's error against temperature. Where they lie on one curve, a table can remove it."));
     };
     return step;
 }

@@ -37,9 +37,9 @@ static QString rbfTitle(const TrainedModel *model, bool paper)
 {
     const auto *network = model != nullptr ? std::get_if<RbfNetwork>(&model->model) : nullptr;
     if (network == nullptr)
-        return paper ? ModelWords::tr("RBF as in the paper (Novel)") : ModelWords::tr("RBF network (Novel)");
+        return paper ? ModelWords::tr("RBF, paper (Novel)") : ModelWords::tr("RBF network (Novel)");
     const QString centres = centresPhrase(network->centreCount);
-    return paper ? ModelWords::tr("RBF as in the paper, %1").arg(centres)
+    return paper ? ModelWords::tr("RBF, paper, %1").arg(centres)
                  : ModelWords::tr("RBF, %1 (Novel)").arg(centres);
 }
 
