@@ -1,6 +1,7 @@
 #include "widgets/style/workbench_style.h"
 
 #include "widgets/style/control_paint.h"
+#include "widgets/style/field_paint.h"
 #include "widgets/style/fonts.h"
 #include "widgets/style/scroll_bar_paint.h"
 #include "widgets/style/theme.h"
@@ -19,8 +20,6 @@
 namespace driftbench {
 
 static constexpr int kIndicator = 14;
-static constexpr int kArrowColumn = 18; // of a spin box
-static constexpr int kChevronColumn = 24;
 static constexpr int kFieldMargin = 5; // and the two px of QLineEdit itself
 
 static ControlState stateOf(const QStyleOption &option, const QWidget *widget)
@@ -208,78 +207,22 @@ void WorkbenchStyle::drawControl(ControlElement element, const QStyleOption *opt
     }
 }
 
-static void drawComboBox(const QStyleOptionComplex &option, QPainter &painter, const QWidget *widget)
-{
-    const Palette &look = lookOf(option.palette);
-    const ControlState state = stateOf(option, widget);
-    paintBox(painter, option.rect, fieldBox(look, state));
-    QRect chevron = option.rect;
-    chevron.setLeft(option.rect.right() - kChevronColumn);
-    paintChevron(painter, chevron.translated(-1, 0), state.enabled ? look.mutedText : look.disabledText);
-}
-
-static void drawSpinBox(const QStyleOptionComplex &option, QPainter &painter, const QWidget *widget)
-{
-    const auto *spin = qstyleoption_cast<const QStyleOptionSpinBox *>(&option);
-    if (!spin)
-        return;
-    const Palette &look = lookOf(option.palette);
-    paintBox(painter, option.rect, fieldBox(look, stateOf(option, widget)));
-    if (spin->buttonSymbols == QAbstractSpinBox::NoButtons)
-        return;
-    const auto colorOf = [&](QAbstractSpinBox::StepEnabledFlag step) {
-        return spin->stepEnabled & step ? look.mutedText : look.disabledText;
-    };
-    const QPoint centre(option.rect.right() - kArrowColumn / 2 - 1, option.rect.center().y());
-    paintArrow(painter, QRect(centre.x() - 5, centre.y() - 6, 10, 5), true,
-               colorOf(QAbstractSpinBox::StepUpEnabled));
-    paintArrow(painter, QRect(centre.x() - 5, centre.y() + 2, 10, 5), false,
-               colorOf(QAbstractSpinBox::StepDownEnabled));
-}
-
 void WorkbenchStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex *option,
                                         QPainter *painter, const QWidget *widget) const
 {
     switch (control) {
     case CC_ComboBox:
-        return drawComboBox(*option, *painter, widget);
+        return paintComboBox(*painter, *option, stateOf(*option, widget));
     case CC_SpinBox:
-        return drawSpinBox(*option, *painter, widget);
+        if (const auto *spin = qstyleoption_cast<const QStyleOptionSpinBox *>(option))
+            paintSpinBox(*painter, *spin, stateOf(*option, widget));
+        return;
     case CC_ScrollBar:
         if (const auto *slider = qstyleoption_cast<const QStyleOptionSlider *>(option))
             paintScrollBar(*painter, *slider, lookOf(option->palette));
         return;
     default:
         QProxyStyle::drawComplexControl(control, option, painter, widget);
-    }
-}
-
-static QRect comboPart(const QRect &rect, QStyle::SubControl part)
-{
-    switch (part) {
-    case QStyle::SC_ComboBoxEditField:
-        return rect.adjusted(6, 1, -kChevronColumn, -1);
-    case QStyle::SC_ComboBoxArrow:
-        return {rect.right() - kChevronColumn, rect.top(), kChevronColumn, rect.height()};
-    default:
-        return rect;
-    }
-}
-
-static QRect spinPart(const QStyleOptionSpinBox &spin, QStyle::SubControl part)
-{
-    const QRect rect = spin.rect;
-    const int arrows = spin.buttonSymbols == QAbstractSpinBox::NoButtons ? 0 : kArrowColumn;
-    const QRect column(rect.right() + 1 - arrows, rect.top() + 1, arrows, rect.height() - 2);
-    switch (part) {
-    case QStyle::SC_SpinBoxUp:
-        return column.adjusted(0, 0, 0, -column.height() / 2);
-    case QStyle::SC_SpinBoxDown:
-        return column.adjusted(0, column.height() - column.height() / 2, 0, 0);
-    case QStyle::SC_SpinBoxEditField:
-        return rect.adjusted(2, 1, -2 - arrows, -1);
-    default:
-        return rect;
     }
 }
 
