@@ -27,6 +27,7 @@ private slots:
     void devices_notPermitted_giveTheirUdevLine();
     void devices_unplugged_leaveTheList();
     void logs_read_becomeRuns();
+    void logs_sessionOpenedAgain_noBridgeTakesTheirPlace();
     void logs_damaged_areSaidAndTheOthersRead();
     void survey_ofTheSharedLogs_saysWhatToExpect_data();
     void survey_ofTheSharedLogs_saysWhatToExpect();
@@ -154,6 +155,26 @@ void TestGuiSource::logs_read_becomeRuns()
     QTRY_COMPARE(window.main().currentStep(), Step::Inspect);
     QCOMPARE(window.bench->settings().recentLogs.size(), 2);
     QVERIFY(!window.bench->session().isSimulated());
+}
+
+void TestGuiSource::logs_sessionOpenedAgain_noBridgeTakesTheirPlace()
+{
+    SourceWindow window;
+    QVERIFY(window.waitForDevices(1));
+    window.main().openFiles({writeLog(window.folder(), "heating.csv")});
+    QTRY_COMPARE_WITH_TIMEOUT(window.bench->session().runs().size(), std::size_t{1}, 20000);
+    const auto file = window.folder() / "logs.driftbench";
+    QVERIFY(window.bench->saveSessionAs(file).ok());
+    QVERIFY(window.bench->newSession().ok());
+    for (const Qt::Key step : {Qt::Key_2, Qt::Key_1})
+        QTest::keyClick(&window.main(), step, Qt::AltModifier);
+    QTRY_VERIFY(window.bench->isSourceSimulated()); // what a new session begins with
+    QVERIFY(window.bench->openSession(file).ok());
+    QTRY_COMPARE(window.bench->acquisition().state(), Acquisition::State::Idle);
+    for (const Qt::Key step : {Qt::Key_2, Qt::Key_1})
+        QTest::keyClick(&window.main(), step, Qt::AltModifier);
+    QCOMPARE(window.bench->acquisition().state(), Acquisition::State::Idle);
+    QVERIFY(!window.bench->session().source());
 }
 
 void TestGuiSource::logs_damaged_areSaidAndTheOthersRead()

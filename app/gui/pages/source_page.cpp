@@ -124,11 +124,21 @@ std::vector<StatusPart> SourcePage::statusParts() const
     return {{tr("%n bridges plugged in, %1 usable", nullptr, plugged).arg(m_bridges->usable())}};
 }
 
+// The session's own source, if it is there; a session of logs has none. A new one begins with the simulated
+// bridge.
+int SourcePage::rowAtFirst() const
+{
+    const Session &session = m_bench.session();
+    if (const auto &source = session.source(); source && !source->as<SimulatedChoice>())
+        return m_bridges->rowOf(sourceChoiceText(*source));
+    return session.source() || session.runs().empty() ? 0 : -1;
+}
+
 void SourcePage::entered()
 {
     showRecent();
     if (m_chosenSource.empty() && m_chosenFile.empty())
-        chooseRow(0);
+        chooseRow(rowAtFirst());
     else if (m_bench.acquisition().state() == Acquisition::State::Idle)
         applyChoice();
 }
@@ -147,8 +157,8 @@ void SourcePage::showDevices()
     const int row = m_bridges->rowOf(before);
     if (row >= 0 && m_list->currentIndex().row() != row)
         m_list->setCurrentIndex(m_bridges->index(row));
-    else if (before.empty() && m_chosenFile.empty() && m_bridges->rowCount() > 0)
-        chooseRow(0);
+    else if (before.empty() && m_chosenFile.empty() && rowAtFirst() >= 0)
+        chooseRow(rowAtFirst());
     showPermission();
     showUse();
     emit stateChanged();

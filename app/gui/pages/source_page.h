@@ -71,6 +71,7 @@ private:
     void showFilesPlace();
     void showRunning();
     void showUse();
+    int rowAtFirst() const;
     void chooseRow(int row);
     void chooseFile(int row);
     void applyChoice();
