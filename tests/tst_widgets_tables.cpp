@@ -4,9 +4,8 @@
 #include "engine/evaluation/axis_finding.h"
 #include "engine/evaluation/comparison.h"
 #include "engine/evaluation/judged_traces.h"
-#include "engine/models/parameter_count.h"
 #include "support/models_for_export.h"
-#include "support/simple_campaign.h"
+#include "support/small_comparison.h"
 #include "support/test_data.h"
 #include "widgets/figure/figure_export.h"
 #include "widgets/style/theme.h"
@@ -42,15 +41,8 @@ private slots:
     void dataTable_sorted_goesByNumbers();
     void dataTable_copy_putsHeadsAndCells();
     void modelsTable_running_hasItsBarAndNote();
-    void findAxis_limit_decides();
-    void findAxis_worseThanConstant_isWithCare();
     void findingText_everyVerdict_saysWhatToDo();
     void tableErrors_randomModels_stayWithinTheBound();
-    void parameterCount_ofEachModel_isThatOfItsFormula();
-    void judgedTraces_squaresMeetTheComparison();
-    void judgedTraces_anchored_startAtZero();
-    void fitRbf_inputsLeftOut_doNotMatter();
-    void fitRbf_withoutDeltaT_isRefused();
     void views_engineValues_draw();
 
 private:
@@ -58,39 +50,12 @@ private:
     Comparison m_comparison;
 };
 
-static Eigen::Vector3d curve(double d)
-{
-    return {0.02 * d + 0.3 * std::sin(d / 6.0), 0.01 * d, 0.2 * std::tanh((d - 30.0) / 5.0)};
-}
-
-static ComparisonOptions options(Judging judging = Judging::Absolute)
-{
-    ComparisonOptions options;
-    options.models = {"constant", "linear", "cubic", "rbf"};
-    options.judging = judging;
-    return options;
-}
-
 void TestWidgetsTables::initTestCase()
 {
     static Theme theme;
-    SimpleRunOptions run;
-    run.samples = 2500;
-    run.noiseDps = 0.03;
-    m_set = simpleCampaign(3, curve, run, 0.01, 7);
-    auto compared = compareModels(m_set, {{"L3GD20H", "T1"}, true}, options());
-    QVERIFY2(compared.ok(), compared.ok() ? "" : compared.error().message.c_str());
-    m_comparison = std::move(*compared);
-}
-
-static const ComparisonRow &rowOf(const Comparison &comparison, const std::string &run, int axis,
-                                  const std::string &model)
-{
-    for (const ComparisonRow &row : comparison.rows) {
-        if (row.run == run && row.axis == axis && row.model == model)
-            return row;
-    }
-    qFatal("no such row");
+    SmallComparison small = smallComparison();
+    m_set = std::move(small.set);
+    m_comparison = std::move(small.comparison);
 }
 
 static QString headOf(const QAbstractItemModel &model, int column)
@@ -248,46 +213,6 @@ void TestWidgetsTables::modelsTable_running_hasItsBarAndNote()
     QCOMPARE(trainingTimeText(12.94), QStringLiteral("12.9 s"));
 }
 
-// One run and axis a row, by hand.
-static std::vector<ComparisonRow> rowsBy(const std::vector<std::pair<double, double>> &leftAndConstant)
-{
-    std::vector<ComparisonRow> rows;
-    for (std::size_t i = 0; i < leftAndConstant.size(); ++i) {
-        ComparisonRow row;
-        row.run = "run" + std::to_string(i + 1);
-        row.noiseFloor = 1e-4;
-        row.model = "rbf";
-        row.msdAfter = leftAndConstant[i].first * leftAndConstant[i].first;
-        rows.push_back(row);
-        row.model = "constant";
-        row.msdAfter = leftAndConstant[i].second * leftAndConstant[i].second;
-        rows.push_back(row);
-    }
-    return rows;
-}
-
-void TestWidgetsTables::findAxis_limit_decides()
-{
-    const auto rows = rowsBy({{0.1, 1.0}, {0.19, 1.0}, {0.21, 1.0}});
-    QCOMPARE(findAxis(rows, 0, "rbf", Verdict::Yes, 0.2).verdict, Verdict::NotRepeatable);
-    QCOMPARE(findAxis(rows, 0, "rbf", Verdict::Yes, 0.22).verdict, Verdict::Yes);
-    QCOMPARE(findAxis(rows, 0, "rbf", Verdict::Yes, std::nullopt).verdict, Verdict::Yes);
-    QCOMPARE(findAxis(rows, 0, "rbf", Verdict::NotRepeatable, 0.22).verdict, Verdict::NotRepeatable);
-    const AxisFinding finding = findAxis(rows, 0, "rbf", Verdict::Yes, 0.2);
-    QCOMPARE(finding.passing(), std::size_t(2));
-    QCOMPARE(finding.runs.size(), std::size_t(3));
-    QVERIFY(std::abs(finding.runs[2].leftDps - 0.21) < 1e-12);
-}
-
-void TestWidgetsTables::findAxis_worseThanConstant_isWithCare()
-{
-    const auto rows = rowsBy({{0.17, 0.11}, {0.06, 0.1}, {0.16, 0.169}});
-    const AxisFinding finding = findAxis(rows, 0, "rbf", Verdict::Yes, 0.2);
-    QCOMPARE(finding.verdict, Verdict::WithCare);
-    QCOMPARE(finding.losing(), std::size_t(1));
-    QVERIFY(finding.runs[0].constantIsBetter);
-}
-
 void TestWidgetsTables::findingText_everyVerdict_saysWhatToDo()
 {
     const auto rows = rowsBy({{0.246, 0.217}, {0.398, 0.583}, {0.539, 0.6}});
@@ -330,107 +255,6 @@ void TestWidgetsTables::tableErrors_randomModels_stayWithinTheBound()
         QCOMPARE(exact(knots, 3, "x\ndps"), table->tdeDps(3, 0));
         QCOMPARE(exact(knots, 3, "Worst\nmdps"), 1000.0 * errors.fixedPointDps.row(3).maxCoeff());
     }
-}
-
-void TestWidgetsTables::parameterCount_ofEachModel_isThatOfItsFormula()
-{
-    for (const TrainedModel &model : m_comparison.models) {
-        const int count = parameterCount(model.model);
-        if (model.name == "constant")
-            QCOMPARE(count, 3);
-        if (model.name == "linear")
-            QCOMPARE(count, 6);
-        if (model.name == "cubic")
-            QCOMPARE(count, 12);
-        if (const auto *rbf = std::get_if<RbfNetwork>(&model.model)) {
-            QCOMPARE(count, 3 + 9 + 2 * static_cast<int>(rbf->size()) + rbf->centreCount[0] +
-                                rbf->centreCount[1] + rbf->centreCount[2]);
-        }
-    }
-}
-
-// The model of a fold as it would stand in a file.
-static TrainedModel heldOut(const Comparison &comparison, const Fold &fold, std::size_t model,
-                            const TrainingSet &set)
-{
-    TrainedModel trained = comparison.models[model];
-    trained.model = fold.models[model].model;
-    trained.trainedOn = fold.trainedOn;
-    const DeltaTRange range = trainedRange(fold.training);
-    trained.lowestTemperatureC = set.referenceTemperatureC + range.lowest;
-    trained.highestTemperatureC = set.referenceTemperatureC + range.highest;
-    return trained;
-}
-
-void TestWidgetsTables::judgedTraces_squaresMeetTheComparison()
-{
-    for (const Fold &fold : m_comparison.folds) {
-        const TrainedModel constant = heldOut(m_comparison, fold, 0, m_set);
-        const TrainedModel rbf = heldOut(m_comparison, fold, 3, m_set);
-        const JudgedTraces traces = judgedTraces(fold.heldOut, rbf, &constant, Judging::Absolute);
-        QVERIFY(traces.lessConstant);
-        for (int axis = 0; axis < 3; ++axis) {
-            const double after = traces.afterDps.col(axis).squaredNorm() / double(traces.timeS.size());
-            const double before = traces.beforeDps.col(axis).squaredNorm() / double(traces.timeS.size());
-            const double wanted = rowOf(m_comparison, fold.name, axis, "rbf").msdAfter;
-            const double constantMsd = rowOf(m_comparison, fold.name, axis, "constant").msdAfter;
-            QVERIFY2(std::abs(after - wanted) < 1e-9 * wanted,
-                     qPrintable(QString::number(after / wanted, 'g', 15)));
-            QVERIFY(std::abs(before - constantMsd) < 1e-9 * constantMsd);
-        }
-        QVERIFY(traces.allanAfter.tauS.size() > 5);
-    }
-}
-
-void TestWidgetsTables::judgedTraces_anchored_startAtZero()
-{
-    const Fold &fold = m_comparison.folds.front();
-    const TrainedModel rbf = heldOut(m_comparison, fold, 3, m_set);
-    const JudgedTraces traces = judgedTraces(fold.heldOut, rbf, nullptr, Judging::Anchored);
-    const Eigen::Index start = prepareForJudging(fold.heldOut, fold.heldOut, Judging::Anchored).startSamples;
-    QVERIFY(start > 0);
-    QVERIFY(traces.afterDps.topRows(start).colwise().mean().cwiseAbs().maxCoeff() < 1e-12);
-    QVERIFY(traces.beforeDps.topRows(start).colwise().mean().cwiseAbs().maxCoeff() < 1e-12);
-}
-
-void TestWidgetsTables::fitRbf_inputsLeftOut_doNotMatter()
-{
-    for (const std::array<bool, 3> inputs :
-         {std::array{true, false, false}, std::array{true, false, true}, std::array{true, true, false}}) {
-        RbfOptions rbf;
-        rbf.inputs = inputs;
-        const auto fit = fitRbfNetwork(m_set, rbf);
-        QVERIFY(fit.ok());
-        Eigen::MatrixXd quantities(3, 3);
-        quantities.row(0) = temperatureQuantities(20.0).transpose();
-        quantities.row(1) = quantities.row(0);
-        for (Eigen::Index column = 0; column < 3; ++column) {
-            if (!inputs[static_cast<std::size_t>(column)])
-                quantities(1, column) += 1000.0;
-        }
-        quantities.row(2) = temperatureQuantities(40.0).transpose();
-        const Eigen::MatrixX3d tde = fit->network.predict(quantities);
-        QVERIFY((tde.row(0) - tde.row(1)).cwiseAbs().maxCoeff() < 1e-12);
-        QVERIFY((tde.row(0) - curve(20.0).transpose()).cwiseAbs().maxCoeff() < 0.05);
-        QVERIFY((tde.row(2) - curve(40.0).transpose()).cwiseAbs().maxCoeff() < 0.05);
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const RbfSelection &selection = fit->selection;
-            QCOMPARE(selection.heldOutLowest[axis].size(), selection.heldOutLoss[axis].size());
-            for (std::size_t k = 0; k < selection.heldOutLoss[axis].size(); ++k) {
-                QVERIFY(selection.heldOutLowest[axis][k] <= selection.heldOutLoss[axis][k] + 1e-12);
-                QVERIFY(selection.heldOutHighest[axis][k] >= selection.heldOutLoss[axis][k] - 1e-12);
-            }
-        }
-    }
-}
-
-void TestWidgetsTables::fitRbf_withoutDeltaT_isRefused()
-{
-    RbfOptions rbf;
-    rbf.inputs = {false, true, true};
-    const auto fit = fitRbfNetwork(m_set, rbf);
-    QVERIFY(!fit.ok());
-    QCOMPARE(fit.error().code, Errc::InvalidOption);
 }
 
 void TestWidgetsTables::views_engineValues_draw()
