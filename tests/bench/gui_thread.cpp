@@ -167,6 +167,11 @@ int main(int argc, char **argv)
 {
     if (argc < 3)
         bench::fail("usage: driftbench-gui-bench FOLDER LOG...");
+    // A log that can't be read would be waited for without end.
+    for (int log = 2; log < argc; ++log) {
+        if (!std::filesystem::is_regular_file(argv[log]))
+            bench::fail(std::string("There is no log ") + argv[log] + "; give logs that exist.");
+    }
     const std::filesystem::path folder = argv[1];
     const std::filesystem::path large = folder / "large.driftbench";
     makeLarge(large);
