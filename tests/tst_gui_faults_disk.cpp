@@ -309,15 +309,12 @@ void TestGuiFaultsDisk::diskFull_forTheFiles_leavesNone()
 {
     FaultyWindow window(2);
     QVERIFY(window.train());
-    ExportChoice choice = window.session().exportChoice();
-    choice.model = "linear";
-    choice.options.force = true;
-    QVERIFY(window.session().setExportChoice(choice).ok());
+    QVERIFY(window.exportLine());
     window.main().showStep(Step::Export);
     auto &exports = window.page<ExportPage>(Step::Export);
     QTRY_VERIFY_WITH_TIMEOUT(exports.preview() && exports.preview()->model == "linear", kPatienceMs);
     std::vector<std::size_t> sizes;
-    for (const ExportFormat format : choice.formats) {
+    for (const ExportFormat format : window.session().exportChoice().formats) {
         const FilePreview *file = exports.preview()->file(format);
         if (file != nullptr && !file->refusal)
             sizes.push_back(file->exported.text.size());

@@ -4,6 +4,7 @@
 #include "app/gui/record/record_readouts.h"
 #include "app/gui/source_status.h"
 #include "device/simulated_board.h"
+#include "support/short_plan.h"
 #include "support/workbench_pages.h"
 #include "widgets/live/live_trace_view.h"
 #include "widgets/style/number_text.h"
@@ -19,21 +20,6 @@ using namespace driftbench::test;
 namespace {
 
 constexpr double kSpeed = 100.0;
-
-// 20 to 32 degrees, 240 s in all.
-TestPlan shortPlan()
-{
-    TestPlan plan;
-    plan.sensor = *namedSensor("I3G4250D");
-    plan.chamber = *namedChamber("SET-Z-021");
-    plan.lowestC = 20.0;
-    plan.highestC = 32.0;
-    plan.stepC = 0.5;
-    plan.periodS = 5.0;
-    plan.holdS = 60.0;
-    plan.runs = 2;
-    return plan;
-}
 
 class RecordBench : public PageBench
 {

@@ -168,10 +168,7 @@ void TestGuiThreads::campaign_fromLogsToReports_isNotDrawnBy()
         QVERIFY(finished.front().front().value<Status>().ok());
     }
     expectElsewhere({"prepareFigures", "reportAsHtml", "reportAsPdf", "writeFileAtomically"});
-    ExportChoice choice = window.session().exportChoice();
-    choice.model = "linear";
-    choice.options.force = true;
-    QVERIFY(window.session().setExportChoice(choice).ok());
+    QVERIFY(window.exportLine());
     window.main().showStep(Step::Export);
     auto &exports = window.page<ExportPage>(Step::Export);
     QTRY_VERIFY_WITH_TIMEOUT(exports.preview() && exports.preview()->model == "linear", kPatienceMs);
@@ -191,10 +188,7 @@ void TestGuiThreads::device_foundAndWrittenTo_isNotDrawnBy()
     QSignalSpy samples(&window.bench->acquisition(), &Acquisition::batch);
     QTRY_VERIFY_WITH_TIMEOUT(!samples.isEmpty(), kPatienceMs);
     QVERIFY(window.train());
-    ExportChoice choice = window.session().exportChoice();
-    choice.model = "linear";
-    choice.options.force = true;
-    QVERIFY(window.session().setExportChoice(choice).ok());
+    QVERIFY(window.exportLine());
     window.main().showStep(Step::Export);
     auto &exports = window.page<ExportPage>(Step::Export);
     QTRY_VERIFY_WITH_TIMEOUT(exports.preview() && exports.preview()->model == "linear" &&

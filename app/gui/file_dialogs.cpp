@@ -9,7 +9,7 @@
 namespace driftbench {
 
 static QFileDialog *makeDialog(QWidget &parent, Workbench &bench, const QString &title, const QString &filter,
-                               OnFiles chosen)
+                               const OnFiles &chosen)
 {
     auto *dialog = new QFileDialog(&parent, title, bench.settings().lastFolder, filter);
     dialog->setAttribute(Qt::WA_DeleteOnClose);

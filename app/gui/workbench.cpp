@@ -152,7 +152,7 @@ Status Workbench::saveSessionAs(const std::filesystem::path &file)
 {
     if (m_acquisition.isRecording())
         return beingRecorded();
-    if (const Status saved = m_session->saveAs(file); !saved)
+    if (Status saved = m_session->saveAs(file); !saved)
         return saved;
     rememberSession();
     return {};

@@ -1,33 +1,13 @@
 // The part of Workbench that sees to the source: its choice, running it, and what is plugged in.
 #include "app/gui/workbench.h"
 
-#include "device/open_source.h"
+#include "app/session/session_source.h"
 
 #include <utility>
 
 namespace driftbench {
 
-namespace {
-
-constexpr double kWatchedHoldS = 86400.0; // longer than anyone watches
-
-// A source with all that it needs to live.
-class OpenedSampleSource final : public SampleSource
-{
-public:
-    explicit OpenedSampleSource(OpenedSource opened) : m_opened(std::move(opened)) {}
-
-    const SourceInfo &info() const override { return m_opened.source->info(); }
-    Result<SourceStats> run(SampleSink &sink, std::stop_token stop) override
-    {
-        return m_opened.source->run(sink, std::move(stop));
-    }
-
-private:
-    OpenedSource m_opened;
-};
-
-} // namespace
+static constexpr double kWatchedHoldS = 86400.0; // longer than anyone watches
 
 void Workbench::setSourceChoice(const SourceChoice &choice)
 {
@@ -111,20 +91,14 @@ bool Workbench::startSource(SourceUse use)
 
 bool Workbench::openNow()
 {
-    const SourceChoice choice = choiceFor(m_use);
-    const auto sender = m_mailbox.sender();
-    return m_acquisition.start(
-        [this, choice, access = m_options.devices, sender]() -> Result<std::unique_ptr<SampleSource>> {
-            auto opened = openSource(choice, access);
-            if (!opened)
-                return opened.error();
-            sender.post([this, board = std::weak_ptr(opened->board), identity = opened->identity] {
-                m_board = board;
-                if (m_watch && !identity.path.empty())
-                    m_watch->setInUse({identity});
-            });
-            return std::unique_ptr<SampleSource>(std::make_unique<OpenedSampleSource>(*std::move(opened)));
+    const auto tell = [this, sender = m_mailbox.sender()](const OpenedSource &opened) {
+        sender.post([this, board = std::weak_ptr(opened.board), identity = opened.identity] {
+            m_board = board;
+            if (m_watch && !identity.path.empty())
+                m_watch->setInUse({identity});
         });
+    };
+    return m_acquisition.start(sourceOpener(choiceFor(m_use), m_options.devices, tell));
 }
 
 void Workbench::stopSource()
@@ -165,15 +139,7 @@ OpenClient Workbench::clientOpener() const
             return Result<std::shared_ptr<BridgeClient>>(
                 Error{Errc::DeviceNotFound, "No bridge is chosen; choose one on the Source page."});
         };
-    return [choice = choiceFor(SourceUse::Record),
-            access = m_options.devices]() -> Result<std::shared_ptr<BridgeClient>> {
-        auto opened = openBridge(choice, access);
-        if (!opened)
-            return opened.error();
-        // The client lives in what it needs.
-        const auto whole = std::make_shared<OpenedBridge>(*std::move(opened));
-        return std::shared_ptr<BridgeClient>(whole, whole->client.get());
-    };
+    return driftbench::clientOpener(choiceFor(SourceUse::Record), m_options.devices);
 }
 
 } // namespace driftbench

@@ -178,15 +178,18 @@ Result<SourceChoice> sourceChoiceFromJson(const std::string &json)
     }
 }
 
-Acquisition::OpenSource sourceOpener(SourceChoice choice, HidAccess access)
+Acquisition::OpenSource sourceOpener(SourceChoice choice, HidAccess access,
+                                     std::function<void(const OpenedSource &)> opened)
 {
-    return
-        [choice = std::move(choice), access = std::move(access)]() -> Result<std::unique_ptr<SampleSource>> {
-            auto opened = openSource(choice, access);
-            if (!opened)
-                return opened.error();
-            return std::unique_ptr<SampleSource>(std::make_unique<OwnedSource>(*std::move(opened)));
-        };
+    return [choice = std::move(choice), access = std::move(access),
+            tell = std::move(opened)]() -> Result<std::unique_ptr<SampleSource>> {
+        auto source = openSource(choice, access);
+        if (!source)
+            return source.error();
+        if (tell)
+            tell(*source);
+        return std::unique_ptr<SampleSource>(std::make_unique<OwnedSource>(*std::move(source)));
+    };
 }
 
 OpenClient clientOpener(SourceChoice choice, HidAccess access)
@@ -196,6 +199,7 @@ OpenClient clientOpener(SourceChoice choice, HidAccess access)
             auto opened = openBridge(choice, access);
             if (!opened)
                 return opened.error();
+            // The client lives in what it needs.
             const auto kept = std::make_shared<OpenedBridge>(*std::move(opened));
             return std::shared_ptr<BridgeClient>(kept, kept->client.get());
         };

@@ -7,6 +7,7 @@
 #include "device/source_choice.h"
 #include "engine/base/result.h"
 
+#include <functional>
 #include <string>
 
 namespace driftbench {
@@ -16,7 +17,9 @@ std::string sourceChoiceToJson(const SourceChoice &choice);
 Result<SourceChoice> sourceChoiceFromJson(const std::string &json);
 
 // To be called where opening may take its time: device_match.h has what can go wrong.
-Acquisition::OpenSource sourceOpener(SourceChoice choice, HidAccess access = hidDevicesOfThisComputer());
+// opened: told of what was opened, by the thread that opens; may be left out.
+Acquisition::OpenSource sourceOpener(SourceChoice choice, HidAccess access = hidDevicesOfThisComputer(),
+                                     std::function<void(const OpenedSource &)> opened = {});
 OpenClient clientOpener(SourceChoice choice, HidAccess access = hidDevicesOfThisComputer());
 
 } // namespace driftbench

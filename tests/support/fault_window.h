@@ -4,6 +4,7 @@
 
 #include "support/gui_window.h"
 #include "support/session_runs.h"
+#include "support/short_plan.h"
 
 #include <QAction>
 #include <QSignalSpy>
@@ -19,21 +20,6 @@ inline void addStepRows()
     QTest::addColumn<int>("step");
     for (const Step step : kSteps)
         QTest::newRow(kNames[int(step)]) << int(step);
-}
-
-// 20 to 32 degrees, 240 s in all.
-inline TestPlan shortPlan()
-{
-    TestPlan plan;
-    plan.sensor = *namedSensor("I3G4250D");
-    plan.chamber = *namedChamber("SET-Z-021");
-    plan.lowestC = 20.0;
-    plan.highestC = 32.0;
-    plan.stepC = 0.5;
-    plan.periodS = 5.0;
-    plan.holdS = 60.0;
-    plan.runs = 2;
-    return plan;
 }
 
 class FaultyWindow : public GuiWindow
@@ -73,6 +59,15 @@ public:
         plan.models = models;
         if (!session().editPlan(plan, QStringLiteral("models")))
             qFatal("no models");
+    }
+
+    // The line, on every axis, whatever is said of it: a table that is quick to make.
+    bool exportLine()
+    {
+        ExportChoice choice = session().exportChoice();
+        choice.model = "linear";
+        choice.options.force = true;
+        return session().setExportChoice(choice).ok();
     }
 
     bool idle() const { return !bench->training().isRunning(); }

@@ -15,8 +15,8 @@ class ChunkRing
 {
 public:
     explicit ChunkRing(std::size_t capacity) : m_capacity(capacity) {}
-    ChunkRing(ChunkRing &&) = default;
-    ChunkRing &operator=(ChunkRing &&) = default;
+    ChunkRing(ChunkRing &&) noexcept = default;
+    ChunkRing &operator=(ChunkRing &&) noexcept = default;
 
     std::size_t size() const { return m_size; }
     bool empty() const { return m_size == 0; }

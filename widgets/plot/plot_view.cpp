@@ -38,8 +38,8 @@ void PlotView::showName()
 void PlotView::changeEvent(QEvent *event)
 {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange && m_interaction && lookOf(palette()).dark != m_look.dark)
-        setLook(lookOf(palette()));
+    if (event->type() == QEvent::PaletteChange && m_followsTheme)
+        followTheme();
     if (event->type() != QEvent::LanguageChange)
         return;
     showName();
@@ -54,13 +54,19 @@ void PlotView::setLook(const Palette &look)
     rebuild();
 }
 
+void PlotView::followTheme()
+{
+    m_followsTheme = true;
+    if (lookOf(palette()).dark != m_look.dark)
+        setLook(lookOf(palette()));
+}
+
 PlotInteraction &PlotView::enableInteraction()
 {
     if (!m_interaction) {
         m_interaction = new PlotInteraction(m_plot, m_look);
         m_interaction->rememberHome();
-        if (lookOf(palette()).dark != m_look.dark)
-            setLook(lookOf(palette()));
+        followTheme();
     }
     return *m_interaction;
 }

@@ -32,13 +32,15 @@ public:
 
     const Palette &look() const { return m_look; }
     void setLook(const Palette &look);
+    // For views in the window: light or dark as their palette is, now and when it changes.
+    void followTheme();
 
     // Where the data come from, where that must be said: "Simulated data". Stands in the legend of a picture;
     // in the window the head of the page says it.
     void setOrigin(const QString &origin);
 
     // Mouse and keys, for views in the window; pictures need none. A view that the user has moved stays where
-    // it is when new data of the same kind come. In the window a view follows light and dark.
+    // it is when new data of the same kind come. Such a view follows the theme.
     PlotInteraction &enableInteraction();
     PlotInteraction *interaction() const { return m_interaction; }
 
@@ -84,6 +86,7 @@ private:
     bool m_legendInside = true;
     QString m_origin;
     bool m_empty = true;
+    bool m_followsTheme = false;
     bool m_sharedValues = false; // of the panels being added
     TickRoom m_tickRoom;
 };

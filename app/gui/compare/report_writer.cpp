@@ -115,7 +115,7 @@ void ReportWriter::writeNow()
         tasks.clear();
         figures.reset();
         data.reset();
-        const Status written = writeDocument(*document, file, hook);
+        Status written = writeDocument(*document, file, hook);
         document.reset();
         return written;
     });

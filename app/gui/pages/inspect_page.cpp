@@ -262,13 +262,8 @@ void InspectPage::keyPressEvent(QKeyEvent *event)
 void InspectPage::changeEvent(QEvent *event)
 {
     Page::changeEvent(event);
-    if (event->type() != QEvent::PaletteChange)
-        return;
-    const Palette &palette = lookOf(this->palette());
-    for (PlotView *view : {static_cast<PlotView *>(m_scatter), static_cast<PlotView *>(m_time),
-                           static_cast<PlotView *>(m_strip), static_cast<PlotView *>(m_coverage)})
-        view->setLook(palette);
-    showLegend();
+    if (event->type() == QEvent::PaletteChange)
+        showLegend(); // the views have changed before their page
 }
 
 } // namespace driftbench

@@ -112,6 +112,7 @@ QWidget *PlanPage::buildFigures()
     m_intervalHead = new SectionHead;
     m_periodHead = new SectionHead;
     m_profile = new ProfileView(lookOf(palette()));
+    m_profile->followTheme();
     m_interval = new IntervalPanel;
     m_period = new PeriodPanel;
     auto *profilePanel = new Panel;
@@ -171,15 +172,6 @@ void PlanPage::retranslate()
     m_periodHead->setNote(tr("Eqs. 25, 28, and the transient"));
     m_form->retranslate();
     showFigures();
-}
-
-void PlanPage::changeEvent(QEvent *event)
-{
-    Page::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange && m_period) {
-        m_profile->setLook(lookOf(palette()));
-        m_period->transient().setLook(lookOf(palette()));
-    }
 }
 
 void PlanPage::edit(const TestPlan &plan)

@@ -43,7 +43,6 @@ public:
 
 protected:
     void retranslate() override;
-    void changeEvent(QEvent *event) override;
 
 private:
     friend class PlanEdit;

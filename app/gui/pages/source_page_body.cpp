@@ -149,6 +149,7 @@ QWidget *SourcePage::buildSide()
     m_nowHead = new SectionHead;
     nowRows->addWidget(m_nowHead);
     m_strips = new StripView(lookOf(palette()));
+    m_strips->followTheme();
     QWidget *strips = flushPanel(m_strips);
     strips->setMinimumHeight(120);
     strips->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
@@ -230,13 +231,6 @@ void SourcePage::retranslate()
     m_recent->lookAgain();
     showPermission();
     showUse();
-}
-
-void SourcePage::changeEvent(QEvent *event)
-{
-    Page::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange && m_strips)
-        m_strips->setLook(lookOf(palette()));
 }
 
 } // namespace driftbench

@@ -85,6 +85,7 @@ PeriodPanel::PeriodPanel(QWidget *parent)
     rows()->setContentsMargins(12, 8, 0, 0);
     m_terms->setContentsMargins(0, 0, 12, 0);
     rows()->addWidget(m_transient, 1);
+    m_transient->followTheme();
 }
 
 void PeriodPanel::setPlan(const TestPlan &plan)

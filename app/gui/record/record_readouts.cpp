@@ -85,7 +85,7 @@ RecordReadouts::RecordReadouts(const LiveRun &run, const LiveTraceView &view, QW
         m_link->addRow({});
     m_trendPanel->setFlush();
     m_trendPanel->rows()->addWidget(m_trend);
-    m_trend->setLook(lookOf(palette()));
+    m_trend->followTheme();
     m_trendPanel->setMinimumHeight(kTrendHeight);
 
     addBlock(m_progressHead, progress, false);
@@ -141,13 +141,6 @@ void RecordReadouts::retranslate()
     showAll();
 }
 
-void RecordReadouts::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange)
-        m_trend->setLook(lookOf(palette()));
-}
-
 void RecordReadouts::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
@@ -185,7 +178,7 @@ static QString phaseText(const RunProgress &progress)
 // "74.00 °C, 1.08 °C ahead": on the way the plan is ahead where the chamber lags.
 static QString planText(const RunProgress &progress, const std::optional<double> &temperatureC)
 {
-    const QString setpoint = RecordReadouts::tr("%1 °C").arg(numberText(progress.setpointC, 2));
+    QString setpoint = RecordReadouts::tr("%1 °C").arg(numberText(progress.setpointC, 2));
     if (!temperatureC)
         return setpoint;
     const double difference = progress.setpointC - *temperatureC;

@@ -35,7 +35,6 @@ public:
     QString text(const QString &section, int row, int column = 0) const; // for tests: what stands there
 
 protected:
-    void changeEvent(QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
 
 private:

@@ -67,7 +67,7 @@ NativeForm::NativeForm(QWidget *parent)
     connect(m_range, &QComboBox::currentIndexChanged, this, &ChoiceForm::edited);
     connect(m_thermometer, &QComboBox::currentIndexChanged, this, &ChoiceForm::edited);
     connect(m_compensate, &QCheckBox::toggled, this, &ChoiceForm::edited);
-    retranslate();
+    NativeForm::retranslate();
 }
 
 void NativeForm::retranslate()
